@@ -181,7 +181,7 @@ def test_the_lens_turns_with_the_camera() -> None:
         (
             {"centers": [[1.7e308, 0, 0]], "camera": nf.Camera((-1.7e308, 0, 0), fov=VIEW.fov, size=(4, 4))},
             ValueError,
-            "centers: expected finite numbers, and distances",
+            "centers: expected finite numbers, at finite distances",
         ),
     ],
 )

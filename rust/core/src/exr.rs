@@ -1,7 +1,6 @@
 //! OpenEXR images with any number of parts and channels, to and from byte buffers.
 //!
-//! Compression is ZIP in blocks of 16 rows, which is lossless: half, float and unsigned channels keep their bits,
-//! including infinities.
+//! Images are compressed with ZIP in blocks of 16 rows. This is lossless, also for infinities.
 
 use std::borrow::Cow;
 use std::io::{self, Cursor, Read, Seek, SeekFrom, Write};
@@ -28,7 +27,7 @@ pub enum Values<'a> {
 pub enum Attribute {
     /// ASCII.
     Text(String),
-    /// Three numbers, such as a position, in a type that other programs can display.
+    /// Three numbers, such as a position.
     Vector([f32; 3]),
 }
 
@@ -43,26 +42,27 @@ pub struct Part<'a> {
     pub height: usize,
     /// Channels by name. Decoding returns them sorted by name, as the format requires.
     pub channels: Vec<(String, Values<'a>)>,
-    /// Texts and vectors of the header by name. Decoding returns them sorted by name.
+    /// Attributes of the header by name. Decoding returns them sorted by name.
     pub attributes: Vec<(String, Attribute)>,
 }
 
-/// Bytes for the header of a part.
+/// Upper bound of a part's header, bytes.
 const HEAD_BYTES: usize = 1 << 16;
 
-/// Bytes for the head of a block and its entry in the table of offsets, at most one for each row.
+/// Upper bound of a block's head and its entry in the table of offsets, bytes; there is at most one block per row.
 const ROW_BYTES: usize = 64;
 
-/// Encodes a file with these parts, in this order.
+/// Encodes parts as a file, in this order.
 pub fn encode(parts: &[Part<'_>], progress: &Progress) -> base::Result<Vec<u8>> {
     let layers: SmallVec<[Layer<AnyChannels<FlatSamples>>; 2]> =
         parts.iter().map(|part| layer(part, progress)).collect::<base::Result<_>>()?;
     let (width, height) = parts.iter().fold((1, 1), |(w, h), part| (part.width.max(w), part.height.max(h)));
     let image = Image::from_layers(ImageAttributes::new(IntegerBounds::from_dimensions((width, height))), layers);
-    // Blocks that compression does not shrink are stored as they are.
+    // Blocks that would grow by compression are stored uncompressed, so this is enough.
     let mut bytes =
         try_with_capacity(parts.iter().map(|part| part.bytes() + HEAD_BYTES + ROW_BYTES * part.height).sum())?;
-    let written = image.write().non_parallel().to_buffered(Watched { inner: Cursor::new(&mut bytes), progress });
+    let stream = CancellableStream { inner: Cursor::new(&mut bytes), progress };
+    let written = image.write().non_parallel().to_buffered(stream);
     progress.check()?;
     written.map_err(|error| base::Error::value("parts", "images that OpenEXR can hold", error))?;
     sort_headers(&mut bytes, parts.len());
@@ -70,8 +70,8 @@ pub fn encode(parts: &[Part<'_>], progress: &Progress) -> base::Result<Vec<u8>> 
     Ok(bytes)
 }
 
-/// Sorts the attributes of each header by name. The crate stores them in a hash map whose order changes from run to
-/// run, but equal images should give equal files.
+/// Sorts the attributes of each header by name, so that equal images give equal files. The crate exr keeps them in a
+/// hash map, whose order changes from run to run.
 ///
 /// A header is a sequence of attributes (name, 0, type, 0, size in four bytes, value) that ends with an empty name.
 fn sort_headers(bytes: &mut [u8], headers: usize) {
@@ -94,7 +94,7 @@ fn sort_headers(bytes: &mut [u8], headers: usize) {
     }
 }
 
-/// Returns the attribute at the start of the rest of a header; `None` at its end.
+/// Returns the first attribute of the remaining header; `None` at the header's end.
 fn first_attribute(header: &[u8]) -> Option<&[u8]> {
     let name = header.iter().position(|&byte| byte == 0).filter(|&length| length > 0)?;
     let kind = header[name + 1..].iter().position(|&byte| byte == 0)?;
@@ -103,7 +103,7 @@ fn first_attribute(header: &[u8]) -> Option<&[u8]> {
     header.get(..value + size as usize)
 }
 
-/// Decodes the parts of a file. Attributes of other types are omitted.
+/// Decodes the parts of a file. Attributes of types other than `Attribute` are omitted.
 pub fn decode(bytes: &[u8], progress: &Progress) -> base::Result<Vec<Part<'static>>> {
     check_size(bytes)?;
     let image = ::exr::prelude::read()
@@ -113,32 +113,32 @@ pub fn decode(bytes: &[u8], progress: &Progress) -> base::Result<Vec<Part<'stati
         .all_layers()
         .all_attributes()
         .non_parallel()
-        .from_buffered(Watched { inner: Cursor::new(bytes), progress });
+        .from_buffered(CancellableStream { inner: Cursor::new(bytes), progress });
     progress.check()?;
     let image = image.map_err(unreadable)?;
     Ok(image.layer_data.into_iter().map(part).collect())
 }
 
-/// A stream in memory that fails once the caller has cancelled. The crate reads and writes it block by block.
-struct Watched<'a, S> {
+/// A stream in memory that fails after the caller has cancelled. The crate exr reads and writes it block by block.
+struct CancellableStream<'a, S> {
     inner: S,
     progress: &'a Progress,
 }
 
-impl<S> Watched<'_, S> {
+impl<S> CancellableStream<'_, S> {
     fn check(&self) -> io::Result<()> {
         self.progress.check().map_err(io::Error::other)
     }
 }
 
-impl<S: Read> Read for Watched<'_, S> {
+impl<S: Read> Read for CancellableStream<'_, S> {
     fn read(&mut self, to: &mut [u8]) -> io::Result<usize> {
         self.check()?;
         self.inner.read(to)
     }
 }
 
-impl<S: Write> Write for Watched<'_, S> {
+impl<S: Write> Write for CancellableStream<'_, S> {
     fn write(&mut self, from: &[u8]) -> io::Result<usize> {
         self.check()?;
         self.inner.write(from)
@@ -149,26 +149,26 @@ impl<S: Write> Write for Watched<'_, S> {
     }
 }
 
-impl<S: Seek> Seek for Watched<'_, S> {
+impl<S: Seek> Seek for CancellableStream<'_, S> {
     fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
         self.inner.seek(to)
     }
 }
 
-/// Fails for headers that declare more data than their file can contain, before memory is allocated.
+/// Fails before memory is allocated if headers declare more data than the file can contain.
 fn check_size(bytes: &[u8]) -> base::Result<()> {
     /// Maximum ratio of data to file size: deflate's maximum of 1032, plus a margin.
     const MAX_EXPANSION: u128 = 1100;
     let meta = MetaData::read_from_buffered(Cursor::new(bytes), false).map_err(unreadable)?;
-    let promised = meta.headers.iter().map(|header| {
+    let declared = meta.headers.iter().map(|header| {
         let pixels = header.layer_size.width() as u128 * header.layer_size.height() as u128;
         pixels * header.channels.bytes_per_pixel as u128
     });
-    let (promised, length) = (promised.sum::<u128>(), bytes.len());
-    if promised > length as u128 * MAX_EXPANSION {
-        return Err(unreadable(format!("{length} bytes cannot hold the {promised} bytes that its header promises")));
+    let (declared, length) = (declared.sum::<u128>(), bytes.len());
+    if declared > length as u128 * MAX_EXPANSION {
+        return Err(unreadable(format!("{length} bytes cannot hold the {declared} bytes that its header declares")));
     }
-    room_for(promised as u64)
+    room_for(declared as u64)
 }
 
 fn unreadable(error: impl std::fmt::Display) -> base::Error {
@@ -223,7 +223,7 @@ fn text(argument: &'static str, value: &str) -> base::Result<Text> {
 }
 
 impl Part<'_> {
-    /// Returns the size of the channels.
+    /// Returns the size of all channels, bytes.
     fn bytes(&self) -> usize {
         let value_bytes = |values: &Values<'_>| if matches!(values, Values::Half(_)) { 2 } else { 4 };
         self.channels.iter().map(|(_, values)| values.len() * value_bytes(values)).sum()
@@ -248,7 +248,7 @@ impl Values<'_> {
     }
 }
 
-/// Copies values that the crate needs to own.
+/// Copies values, because the crate exr has to own them.
 fn copy<T: Copy>(values: &[T], progress: &Progress) -> base::Result<Vec<T>> {
     /// Values between two checks for cancellation: milliseconds of copying.
     const TILE: usize = 1 << 20;

@@ -2,8 +2,8 @@
 
 use glam::{DAffine3, DVec3, Vec3};
 
-/// Maximum distance, in metres along each axis from the scene's origin, of geometry and of ray origins. Beyond it,
-/// distances divided by small direction components overflow float32, and empty slots of the trees would count as hit.
+/// Maximum absolute coordinate of geometry and of ray origins, metres from the scene's origin. Beyond it, a distance
+/// divided by a small direction component overflows float32, and a ray would hit empty slots of the trees.
 pub const REACH: f64 = 1e30;
 
 /// An axis-aligned box; empty while `min > max`.
@@ -26,7 +26,7 @@ impl Aabb {
         bounds
     }
 
-    /// True for the empty box.
+    /// Returns whether the box is empty.
     pub fn is_empty(&self) -> bool {
         self.min.x > self.max.x
     }
@@ -48,8 +48,8 @@ impl Aabb {
         Self { min: self.min.min(other.min), max: self.max.max(other.max) }
     }
 
-    /// Returns the largest float32 box inside a box with float64 sides: both contain the same float32 numbers. It is
-    /// inverted along an axis where no float32 number lies between the sides.
+    /// Rounds a float64 box inwards to float32. Both boxes contain the same float32 points. Along an axis where no
+    /// float32 number lies between the float64 sides, the result has `min > max`.
     pub fn from_f64_inside(min: DVec3, max: DVec3) -> Self {
         Self { min: round_up(min), max: round_down(max) }
     }
@@ -64,7 +64,7 @@ impl Aabb {
         other.is_empty() || (self.min.cmple(other.min).all() && self.max.cmpge(other.max).all())
     }
 
-    /// Returns the smallest float32 box around the image of this box. It is tight for the transformed geometry only if
+    /// Returns the smallest float32 box around the transformed box. It fits the transformed geometry tightly only if
     /// the transform maps axes to axes.
     pub fn transformed(&self, map: &DAffine3) -> Self {
         if self.is_empty() {

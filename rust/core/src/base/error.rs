@@ -40,7 +40,7 @@ impl Error {
     }
 }
 
-/// Unless a condition holds, makes the calling function return `Error::value` of the other three arguments.
+/// Returns `Error::value(argument, expected, got)` from the calling function unless a condition holds.
 macro_rules! ensure {
     ($holds:expr, $argument:expr, $expected:expr, $got:expr $(,)?) => {
         if $holds {

@@ -6,9 +6,8 @@ use super::mapped::{mapped, starts};
 use super::memory::{try_list, try_push, try_with_capacity};
 use super::{Buffer, Error, Progress, Result, ensure};
 
-/// Minimum mean length of a run, in faces, at which `Ranges` replaces `PerFace`. A look-up is a binary search in
-/// ranges, one load in `PerFace`. The 4 bytes per face that ranges save are a small part of a face's memory: 12 bytes
-/// of indices and its share of the tree.
+/// Minimum mean length of a run, in faces, at which `Ranges` replaces `PerFace`. Ranges save up to 4 bytes per face,
+/// beside 12 bytes of indices and the tree, but a look-up is a binary search instead of one load.
 const FACES_PER_RUN: usize = 64;
 
 /// The object or material of each face; −1 stands for none.
@@ -33,7 +32,7 @@ pub(crate) fn by_number<T>(values: &[T], number: i32) -> Option<&T> {
     usize::try_from(number).ok().and_then(|number| values.get(number))
 }
 
-/// Returns the value of an object; `values` has the value of each object, and last that of faces without an object.
+/// Returns the value of an object. The last entry of `values` is the value of faces without an object.
 pub(crate) fn by_object<T>(values: &[T], object: i32) -> &T {
     let last = values.len() - 1;
     &values[usize::try_from(object).map_or(last, |object| object.min(last))]
@@ -100,7 +99,7 @@ impl FaceMap {
     pub fn selected(&self, faces: &[u32], progress: &Progress) -> Result<Self> {
         let (starts, values) = match self {
             Self::Uniform(value) => return Ok(Self::Uniform(*value)),
-            // Ranges need not be searched for each of ascending faces.
+            // Ascending faces need one binary search per range instead of one per face.
             Self::Ranges { starts, values } if faces.is_sorted() => (starts, values),
             _ => {
                 let values = mapped(faces, |&face| self.get(face), progress)?;

@@ -1,4 +1,4 @@
-//! Cancellable maps and filters over long arrays, consecutive pieces of arrays, and bits of masks.
+//! Cancellable maps and filters over long arrays, splitting of arrays into consecutive pieces, and bits of masks.
 
 use std::ops::Range;
 
@@ -10,50 +10,50 @@ use super::{Progress, Result};
 /// Rows between two checks for cancellation: a few milliseconds of work.
 const ROWS_PER_CHECK: usize = 1 << 20;
 
-/// Rows in one task that writes them.
+/// Rows per task of `write_mapped`.
 const ROWS_PER_TASK: usize = 1 << 14;
 
-/// Number of rows that one thread maps faster than it takes to wake the others.
-const ROWS_OF_ONE_THREAD: usize = 1 << 13;
+/// Maximum number of rows that one thread maps alone: it finishes before other threads would have woken up.
+const MAX_SEQUENTIAL_ROWS: usize = 1 << 13;
 
-/// Applies `of` to each row; the values keep the rows' order.
-pub fn mapped<A: Sync, B: Send>(rows: &[A], of: impl Fn(&A) -> B + Sync, progress: &Progress) -> Result<Vec<B>> {
+/// Applies a function to each row; the values keep the rows' order.
+pub fn mapped<A: Sync, B: Send>(rows: &[A], map: impl Fn(&A) -> B + Sync, progress: &Progress) -> Result<Vec<B>> {
     let mut values = try_with_capacity(rows.len())?;
-    if rows.len() <= ROWS_OF_ONE_THREAD {
+    if rows.len() <= MAX_SEQUENTIAL_ROWS {
         progress.check()?;
-        values.extend(rows.iter().map(of));
+        values.extend(rows.iter().map(map));
         return Ok(values);
     }
     for part in rows.chunks(ROWS_PER_CHECK) {
         progress.check()?;
-        values.par_extend(part.par_iter().map(&of));
+        values.par_extend(part.par_iter().map(&map));
     }
     Ok(values)
 }
 
-/// Writes the value of each row to its slot; `of` returns it.
+/// Applies a function to each row and writes the value to the row's slot.
 pub fn write_mapped<A: Sync, B: Send>(
     rows: &[A],
     slots: &mut [B],
-    of: impl Fn(&A) -> B + Sync,
+    map: impl Fn(&A) -> B + Sync,
     progress: &Progress,
 ) -> Result<()> {
     rows.par_chunks(ROWS_PER_TASK).zip(slots.par_chunks_mut(ROWS_PER_TASK)).try_for_each(|(rows, slots)| {
-        slots.iter_mut().zip(rows).for_each(|(slot, row)| *slot = of(row));
+        slots.iter_mut().zip(rows).for_each(|(slot, row)| *slot = map(row));
         progress.check()
     })
 }
 
-/// Returns the chosen numbers below `count`, ascending.
-pub fn filtered(count: u32, is_chosen: impl Fn(u32) -> bool + Sync, progress: &Progress) -> Result<Vec<u32>> {
-    let mut chosen = Vec::new();
+/// Returns the numbers below `count` that satisfy a condition, ascending.
+pub fn filtered(count: u32, condition: impl Fn(u32) -> bool + Sync, progress: &Progress) -> Result<Vec<u32>> {
+    let mut numbers = Vec::new();
     for start in (0..count).step_by(ROWS_PER_CHECK) {
         progress.check()?;
         let end = count.min(start.saturating_add(ROWS_PER_CHECK as u32));
-        try_grow(&mut chosen, (end - start) as usize)?;
-        chosen.par_extend((start..end).into_par_iter().filter(|&number| is_chosen(number)));
+        try_grow(&mut numbers, (end - start) as usize)?;
+        numbers.par_extend((start..end).into_par_iter().filter(|&number| condition(number)));
     }
-    Ok(chosen)
+    Ok(numbers)
 }
 
 /// Runs a task for each range of `size` numbers below `count`. Returns the results in order, or the error of the first
@@ -78,7 +78,7 @@ pub fn pieces<T>(mut remaining: &mut [T], lengths: impl Iterator<Item = usize>) 
     lengths.map(split).collect()
 }
 
-/// Returns the start of each of consecutive pieces, given their lengths.
+/// Returns the start indices of consecutive pieces of the given lengths.
 pub fn starts(lengths: impl Iterator<Item = usize>) -> impl Iterator<Item = usize> {
     lengths.scan(0, |next, length| {
         let start = *next;

@@ -1,8 +1,9 @@
-//! Refusal of results that are too large for memory. Rust aborts the process when an allocation fails, so kernels
-//! ask for room before they allocate what depends on an argument's size. Small arrays, less
-//! than 1 MiB between two checks of a kernel's progress, need no request of their own: under a memory limit the first 64
-//! checks, and then each 64th, fail if less than `HEADROOM` remains. Room is not kept: other threads may take it between
-//! the request and the allocation.
+//! Checks that results fit into memory. Rust aborts the process when an allocation fails, so a kernel asks for room
+//! before it allocates an array whose size depends on an argument. The room is not reserved: other threads may take it
+//! before the allocation.
+//!
+//! Small arrays, in total less than 1 MiB between two calls of `Progress::check`, need no request. If memory is
+//! limited, the first 64 of these calls, and then every 64th, fail if less than `HEADROOM` remains.
 
 use std::hint::black_box;
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -12,19 +13,19 @@ use rayon::prelude::*;
 
 use super::{Error, Result};
 
-/// Bytes that stay available after each request, for the small allocations of kernels and of their threads. More than
-/// glibc's greatest threshold for mappings (32 MiB), so that a request does not change where later arrays lie.
+/// Bytes that must remain available after an allocation, for small allocations of kernels and their threads. More than
+/// glibc's maximum mmap threshold (32 MiB), so that freeing a probe does not change where glibc puts later arrays.
 pub const HEADROOM: u64 = 64 << 20;
 
 /// Bytes below which arrays are not checked, because `HEADROOM` covers them.
 const UNCHECKED: u64 = 1 << 20;
 
-/// Process of which a thread is probing; 0 for none. Probes of several threads at once would add up. Not a lock: one
-/// that another thread holds during a fork would stay locked in the child.
+/// Id of the process that is probing; 0 if none is. Simultaneous probes of several threads would add up. A mutex that
+/// another thread holds during a fork would stay locked in the child; the parent's id does not block the child.
 static PROBING: AtomicU32 = AtomicU32::new(0);
 
-/// Fails if the system refuses an allocation of this many bytes, or leaves less than `HEADROOM`. The probe is freed at
-/// once and its pages are never touched.
+/// Fails if the system cannot allocate this many bytes plus `HEADROOM`. The test allocation, called the probe, is freed
+/// at once and its pages are never touched.
 pub fn room_for(bytes: u64) -> Result<()> {
     let process = process::id();
     while !begin_probe(process) {
@@ -38,13 +39,13 @@ pub fn check_headroom() -> Result<()> {
     if begin_probe(process::id()) { probe(0).map_err(|_| Error::Memory { bytes: HEADROOM }) } else { Ok(()) }
 }
 
-/// Returns false if another thread of the process is probing.
+/// Registers the calling thread as the probing one; returns false if another thread of the process is probing.
 fn begin_probe(process: u32) -> bool {
     let before = PROBING.load(Ordering::Relaxed);
     before != process && PROBING.compare_exchange(before, process, Ordering::Acquire, Ordering::Relaxed).is_ok()
 }
 
-/// Allocates, frees, and ends the probe.
+/// Allocates and frees the probe, and unregisters the thread.
 fn probe(bytes: u64) -> Result<()> {
     let refused = Error::Memory { bytes };
     let outcome = usize::try_from(bytes.saturating_add(HEADROOM)).map_err(|_| refused.clone()).and_then(|size| {
@@ -56,13 +57,14 @@ fn probe(bytes: u64) -> Result<()> {
     outcome
 }
 
-/// Fails if there is no room for `count` values of type T. A type of several arrays' rows asks for all of them at once.
+/// Fails if there is no room for `count` values of type T. If T is a tuple or array of several arrays' elements, the
+/// request is for all these arrays together.
 pub fn room_for_values<T>(count: usize) -> Result<()> {
     let bytes = (count as u64).saturating_mul(size_of::<T>() as u64);
     if bytes < UNCHECKED { Ok(()) } else { room_for(bytes) }
 }
 
-/// Error for `count` values of type T without room.
+/// Returns the error for `count` values of type T without room.
 fn refusal<T>(count: usize) -> Error {
     Error::Memory { bytes: (count as u64).saturating_mul(size_of::<T>() as u64) }
 }
@@ -70,7 +72,7 @@ fn refusal<T>(count: usize) -> Error {
 /// Returns `count` equal values.
 pub fn try_vec<T: Clone>(value: T, count: usize) -> Result<Vec<T>> {
     room_for_values::<T>(count)?;
-    // The macro obtains zeros from the system, which a fallible reservation would have to write.
+    // For zeros, `vec!` takes zeroed pages from the system; after `try_reserve` they would have to be written.
     Ok(vec![value; count])
 }
 
@@ -78,7 +80,7 @@ pub fn try_vec<T: Clone>(value: T, count: usize) -> Result<Vec<T>> {
 pub fn try_with_capacity<T>(count: usize) -> Result<Vec<T>> {
     room_for_values::<T>(count)?;
     let mut values = Vec::new();
-    // Other threads may have taken the room since.
+    // Other threads may have taken the room in the meantime.
     values.try_reserve_exact(count).map_err(|_| refusal::<T>(count))?;
     Ok(values)
 }
@@ -98,7 +100,7 @@ pub fn try_copy<T: Copy>(values: &[T]) -> Result<Vec<T>> {
     try_concat(&[values])
 }
 
-/// Returns the values of some arrays as one.
+/// Concatenates arrays.
 pub fn try_concat<T: Clone>(parts: &[impl AsRef<[T]>]) -> Result<Vec<T>> {
     let mut all = try_with_capacity(parts.iter().map(|part| part.as_ref().len()).sum())?;
     parts.iter().for_each(|part| all.extend_from_slice(part.as_ref()));
@@ -119,7 +121,7 @@ pub fn try_push<T>(values: &mut Vec<T>, value: T) -> Result<()> {
     Ok(())
 }
 
-/// Appends the values of an iterator of unknown length, for which it asks piece by piece.
+/// Appends the values of an iterator of unknown length. Requests room for one piece after the other.
 pub fn try_extend<T>(values: &mut Vec<T>, more: impl IntoIterator<Item = T>) -> Result<()> {
     const PIECE: usize = 1 << 14;
     let mut more = more.into_iter().peekable();

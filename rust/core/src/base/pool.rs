@@ -1,5 +1,4 @@
-//! Thread pool of nearfar. `NEARFAR_NUM_THREADS` sets its size; it is created on first use, and again in a forked
-//! child.
+//! Thread pool of nearfar, created on first use and again in a forked child. `NEARFAR_NUM_THREADS` sets its size.
 
 use std::process;
 use std::ptr;
@@ -30,8 +29,7 @@ pub fn install<R: Send>(work: impl FnOnce() -> R + Send) -> Result<R> {
     Ok(current()?.install(work))
 }
 
-/// Runs `work` on the pool, so that every rayon call inside uses it, while the calling thread runs `meanwhile`.
-/// Returns after both.
+/// Runs `work` on the pool like `install`, while the calling thread runs `meanwhile`. Returns after both.
 pub fn beside<'s, R>(work: impl FnOnce() + Send + 's, meanwhile: impl FnOnce() -> R) -> Result<R> {
     Ok(current()?.in_place_scope(|scope: &rayon::Scope<'s>| {
         scope.spawn(move |_| work());
@@ -58,8 +56,7 @@ fn current() -> Result<&'static ThreadPool> {
         // child, because its threads do not exist there and joining them would hang.
         Ok(_) => Ok(&unsafe { &*fresh }.pool),
         Err(winner) => {
-            // SAFETY: this thread's entry was never published; the winner's entry was leaked by another thread of this
-            // process.
+            // SAFETY: this thread's entry was never published; another thread leaked the winner's entry.
             let (_ours, theirs) = unsafe { (Box::from_raw(fresh), &*winner) };
             Ok(&theirs.pool)
         }

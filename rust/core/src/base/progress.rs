@@ -5,9 +5,8 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use super::memory::{HEADROOM, check_headroom};
 use super::{Error, Result};
 
-/// Number of first checks that all ask for headroom; of the later ones each 64th does. Some kernels check once per item,
-/// and a request takes 10 µs. So a kernel allocates less than 1 MiB per check without asking for room: then `HEADROOM`
-/// suffices for 64 of them.
+/// The first 64 checks, and then every 64th, test whether `HEADROOM` remains: some kernels check once per item, and a
+/// test takes 10 µs. A kernel may allocate 1 MiB per check without `room_for`, so 64 checks use at most `HEADROOM`.
 const CHECKS_PER_REQUEST: u64 = 64;
 
 /// Progress of a kernel. The kernel's threads write it; the caller reads it every 50 ms and may cancel the kernel.
@@ -16,12 +15,12 @@ pub struct Progress {
     done: AtomicU64,
     total: AtomicU64,
     cancelled: AtomicBool,
-    /// Whether memory is limited, so that checks ask for headroom.
+    /// Whether memory is limited, so that checks test for headroom.
     watches_memory: bool,
-    /// Number of checks of memory.
+    /// Number of checks so far, if `watches_memory`.
     checks: AtomicU64,
-    /// Whether a check has failed for lack of memory. All later ones fail as well, as after a cancellation.
-    ran_short: AtomicBool,
+    /// Whether a check has failed for lack of memory. Then all later checks fail as well, as after a cancellation.
+    is_out_of_memory: AtomicBool,
 }
 
 impl Progress {
@@ -30,8 +29,7 @@ impl Progress {
         Self::default()
     }
 
-    /// Returns the progress of a kernel whose checks also fail when memory runs short, if it is limited. The first 64
-    /// checks, and then each 64th, ask for headroom.
+    /// Creates a progress whose checks also fail when less than `HEADROOM` remains, if memory is limited.
     pub fn watching_memory(is_limited: bool) -> Self {
         Self { watches_memory: is_limited, ..Self::default() }
     }
@@ -47,12 +45,12 @@ impl Progress {
         self.check()
     }
 
-    /// Returns whether memory is limited, so that checks ask for headroom.
+    /// Returns whether memory is limited, so that checks test for headroom.
     pub fn watches_memory(&self) -> bool {
         self.watches_memory
     }
 
-    /// Fails if the caller has cancelled, or if a request for headroom has failed. Then all later checks fail.
+    /// Fails if the caller has cancelled or memory has run short. Then all later checks fail.
     pub fn check(&self) -> Result<()> {
         if self.cancelled.load(Ordering::Relaxed) {
             return Err(Error::Cancelled);
@@ -61,14 +59,14 @@ impl Progress {
     }
 
     fn check_memory(&self, request: impl FnOnce() -> Result<()>) -> Result<()> {
-        if self.ran_short.load(Ordering::Relaxed) {
+        if self.is_out_of_memory.load(Ordering::Relaxed) {
             return Err(Error::Memory { bytes: HEADROOM });
         }
         let earlier = self.checks.fetch_add(1, Ordering::Relaxed);
         if earlier >= CHECKS_PER_REQUEST && !earlier.is_multiple_of(CHECKS_PER_REQUEST) {
             return Ok(());
         }
-        request().inspect_err(|_| self.ran_short.store(true, Ordering::Relaxed))
+        request().inspect_err(|_| self.is_out_of_memory.store(true, Ordering::Relaxed))
     }
 
     /// Asks the kernel to stop; its next report fails.
@@ -109,7 +107,7 @@ mod tests {
         }
         assert!(asked.into_iter().eq((0..64).chain((64..1000).step_by(64))));
         let refused = || Err(Error::Memory { bytes: HEADROOM });
-        // The next request is that of check 1024. After it has failed, checks fail without one.
+        // Check 1024 makes the next request. After it has failed, checks fail without a request.
         (1000..1024).for_each(|_| assert_eq!(progress.check_memory(refused), Ok(())));
         assert_eq!(progress.check_memory(refused), refused());
         assert_eq!(progress.check(), refused());

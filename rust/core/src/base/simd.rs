@@ -1,7 +1,6 @@
 //! Compilation of one kernel for several vector widths, run-time dispatch, prefetching, and minima without branches.
 
-/// Prefetches values that are read soon. Out-of-order execution alone would start the load only after the hundreds of
-/// instructions before it.
+/// Prefetches values that will be read soon. Without it the load would wait for the hundreds of instructions before it.
 #[inline(always)]
 pub(crate) fn prefetch<P>(values: &[P]) {
     #[cfg(target_arch = "x86_64")]
@@ -26,14 +25,12 @@ pub(crate) fn greater<T: PartialOrd>(a: T, b: T) -> T {
     if a > b { a } else { b }
 }
 
-/// Wraps `#[inline(always)]` kernels in functions that run them with the widest vectors of this machine. The functions
-/// may be generic in types.
+/// Defines functions, also generic ones, that run an `#[inline(always)]` kernel with this machine's widest vectors.
 ///
-/// - `fn name(…) = kernel;`: all widths give the same bits, because Rust fuses a multiplication with an addition only
-///   where code asks for it.
-/// - `fn name(…) = fused kernel;` for a kernel generic in the constant `FUSED`, or `fused kernel<_>` if a type
-///   parameter precedes `FUSED`. `FUSED` is true where the machine has fused multiply-add, which saves time and one
-///   rounding.
+/// - `fn name(…) = kernel;`: all widths return the same bits, because Rust never fuses a multiplication and an addition
+///   by itself.
+/// - `fn name(…) = fused kernel;` calls a kernel with the constant parameter `FUSED`; `fused kernel<_>` if a type
+///   parameter precedes it. `FUSED` is true if the machine has fused multiply-add, which saves time and one rounding.
 macro_rules! vectorized {
     () => {};
     (

@@ -1,4 +1,4 @@
-//! A stable, cancellable sort. Other crates' sorts cannot be cancelled and take seconds from 10⁷ values on.
+//! A stable, cancellable sort. Sorts of other crates cannot be cancelled, and take seconds for more than 10⁷ values.
 
 use super::memory::try_copy;
 use super::{Progress, Result};
@@ -6,7 +6,7 @@ use super::{Progress, Result};
 /// Values sorted or merged between two checks for cancellation.
 const VALUES_PER_CHECK: usize = 1 << 16;
 
-/// Returns a number that orders like a float64 in the total order of IEEE 754.
+/// Maps a float64 to an integer with the same order: IEEE 754's total order.
 pub fn total_order(value: f64) -> i64 {
     let bits = value.to_bits() as i64;
     // Flips all bits of negative numbers except the sign.
@@ -23,8 +23,7 @@ pub fn sort_by_key<T: Copy + Send + Sync, K: Ord>(
     sort(values, &mut copy, &key, progress)
 }
 
-/// Sorts `values`. If they are more than `VALUES_PER_CHECK`, `copy` must be a copy of them; its contents afterwards are
-/// unspecified.
+/// Sorts `values`. If there are more than `VALUES_PER_CHECK`, `copy` must hold the same values; it is overwritten.
 fn sort<T: Copy + Send + Sync, K: Ord>(
     values: &mut [T],
     copy: &mut [T],
@@ -53,7 +52,7 @@ fn merge<T: Copy + Send + Sync, K: Ord>(
         merge_run([a, b], to, key);
         return progress.check();
     }
-    // Half of the longer part, and the values of the other part that belong before the second half.
+    // Splits the longer part in half, and the other part at the value where the second half begins.
     let (i, j) = if a.len() >= b.len() {
         let pivot = key(&a[a.len() / 2]);
         (a.len() / 2, b.partition_point(|value| key(value) < pivot))

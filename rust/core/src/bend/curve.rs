@@ -4,26 +4,23 @@ use glam::{DVec2, DVec3};
 
 use crate::morph::Morph;
 
-/// Maximum number of steps of the root search. Bisection alone needs one step for each of a float64's 53 bits of
-/// precision.
+/// Maximum number of steps of the root search. Bisection alone needs one step per bit of a float64, which has 53.
 const STEPS: usize = 80;
 /// Maximum number of halvings of a stretch beyond the number that the tolerance requires.
 const SPARE_HALVINGS: u32 = 8;
-/// Maximum number of chords of a stretch, multiplied by the square root of the tolerance in radians. Where the picture
-/// folds, the curve jumps and no chord meets the tolerance.
+/// A stretch has at most `MAX_CHORDS` / √tolerance chords, with the tolerance in radians. Where the picture folds, the
+/// curve jumps and no chord meets the tolerance.
 pub(super) const MAX_CHORDS: f64 = 64.0;
-/// Ratio of a chord's end to its start, both as distances from the user, above which the chord is halved on a
-/// logarithmic scale.
+/// A chord whose end is more than this many times as far from the user as its start is halved on a logarithmic scale.
 const MAX_CHORD_RATIO: f64 = 4.0;
 /// s at which a vertical curve is cut, as a multiple of r₂ + |v⊥|.
 const VERTICAL_END: f64 = 1e4;
-/// Fraction of the tolerance that a chord may use at the tested points. Between them the error may reach the full
-/// tolerance.
+/// Fraction of the tolerance that a chord may use at the tested points; elsewhere its error may be larger.
 const TESTED_TOLERANCE: f64 = 0.75;
-/// Fraction of a chord that lies before the first tested point.
-const AFTER_START: f64 = 1e-6;
+/// Position of the first tested point, as a fraction of the chord.
+const FIRST_TEST: f64 = 1e-6;
 
-/// Curve of points that the morph shows in one direction. Symbols are those of the module `bend`.
+/// Curve of points that the morph shows in one direction. The module `bend` defines the symbols.
 #[derive(Clone, Copy, Debug)]
 pub struct RayCurve<'a> {
     morph: &'a Morph,
@@ -53,8 +50,7 @@ impl<'a> RayCurve<'a> {
     pub fn new(morph: &'a Morph, direction: DVec3) -> Self {
         let v = morph.center - morph.user;
         let center_s = v.dot(direction);
-        // The projection is subtracted twice: after one subtraction a part along d of the size of its rounding may
-        // remain.
+        // The projection is subtracted twice, because rounding may leave a component along d after the first time.
         let once = v - direction * center_s;
         let perpendicular = once - direction * once.dot(direction);
         let ray_distance = perpendicular.length();
@@ -67,21 +63,20 @@ impl<'a> RayCurve<'a> {
         self.morph.user + self.direction * s + self.offset_direction * y
     }
 
-    /// Returns the point where the centre's parallel ray leaves r₂: its s, and its distance from O. `None` for a
-    /// vertical direction.
+    /// Returns s where the centre's parallel ray leaves r₂, and the distance from O there; `None` if d is vertical.
     pub fn end(&self) -> Option<(f64, f64)> {
         let slope = on_ground(self.direction).length();
         let from_center = self.morph.r2 / slope;
         from_center.is_finite().then_some((self.center_s + from_center, from_center))
     }
 
-    /// Returns the curve's last point before r₂, on the centre's ray, at a distance from O.
+    /// Returns the curve's last point, where the centre's ray leaves r₂; `end` returns `from_center`.
     pub fn last(&self, from_center: f64) -> DVec3 {
         self.morph.center + self.direction * from_center
     }
 
-    /// Returns s of the curve's start: at U, or at O if a strength below 1 gives U's view a weight below ½. At exactly
-    /// ½, points between U and O have no direction, and the curve starts where it leaves that segment.
+    /// Returns s where the curve starts: at U, or at O if w at U is below ½, which a strength below 1 can cause. If w
+    /// is ½, the blended direction of points between U and O is 0, and the curve starts where it leaves this segment.
     pub fn start(&self) -> f64 {
         let weight = self.morph.weight(on_ground(self.morph.user - self.morph.center).length());
         if self.morph.strength == 1.0 || weight > 0.5 {
@@ -125,8 +120,7 @@ impl<'a> RayCurve<'a> {
         within_cylinder(p, d, self.morph.r1).filter(|&(_, leave)| leave > 0.0)
     }
 
-    /// Returns y(s), found from an initial guess. Where the picture folds there are several roots; the search finds
-    /// one of them.
+    /// Returns y(s), found from an initial guess. Where the picture folds, it returns one of several roots.
     pub fn offset(&self, s: f64, guess: f64) -> f64 {
         self.search(s, guess, f64::EPSILON)
     }
@@ -178,8 +172,8 @@ impl<'a> RayCurve<'a> {
         (value, slope)
     }
 
-    /// Returns an upper bound of the angle between d and the direction in which the morph shows a point of the curve's
-    /// plane: the tangent of the angle. Infinite for angles of 90° or more.
+    /// Returns the tangent of the angle between d and the direction in which the morph shows a point of the curve's
+    /// plane. It is an upper bound of the angle in radians; infinite for angles of 90° or more.
     #[inline]
     pub fn miss(&self, s: f64, y: f64) -> f64 {
         let w = self.morph.weight(on_ground(self.point(s, y) - self.morph.center).length());
@@ -190,7 +184,7 @@ impl<'a> RayCurve<'a> {
         if cosine > 0.0 { sine.abs() / cosine } else { f64::INFINITY }
     }
 
-    /// Appends the points of a polyline whose chords deviate from the direction by at most a tolerance in radians. The
+    /// Appends a stretch as a polyline: the morph shows each of its points within a tolerance, in radians, of d. The
     /// first point lies at `stretch.from`, the last at `stretch.to`.
     fn flatten(&self, stretch: &Stretch, tolerance: f64, points: &mut Vec<DVec3>) {
         let vertex = |s: f64, guess: f64| (s, self.offset(s, guess));
@@ -215,10 +209,10 @@ impl<'a> RayCurve<'a> {
         }
     }
 
-    /// Tests a chord just after its start, where the error of a chord from U is greatest: the curve's direction differs
-    /// most from the chord's, and U's view has the greatest weight.
+    /// Tests a chord just after its start. There the error of a chord from U is greatest: the curve's direction differs
+    /// most from the chord's, and U's view has its greatest weight.
     fn starts_flat(&self, a: (f64, f64), b: (f64, f64), tolerance: f64) -> bool {
-        let [s, y] = [a.0 + (b.0 - a.0) * AFTER_START, a.1 + (b.1 - a.1) * AFTER_START];
+        let [s, y] = [a.0 + (b.0 - a.0) * FIRST_TEST, a.1 + (b.1 - a.1) * FIRST_TEST];
         self.miss(s, y) <= tolerance
     }
 
@@ -231,7 +225,7 @@ impl<'a> RayCurve<'a> {
     }
 
     /// Returns the midpoint of a chord. The curvature falls with the distance from the user, so long chords are halved
-    /// on a logarithmic scale of s, which begins at |v⊥|.
+    /// on a logarithmic scale of s that begins at |v⊥|.
     fn middle(&self, a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
         let near = a.0.max(self.ray_distance);
         let s = if b.0 > MAX_CHORD_RATIO * near { (near * b.0).sqrt() } else { 0.5 * (a.0 + b.0) };
@@ -239,7 +233,7 @@ impl<'a> RayCurve<'a> {
     }
 
     /// Returns the curve as a polyline: its start (U for users inside r₁ at full strength), its bends, and the point
-    /// where it leaves r₂. From there it continues along d.
+    /// where it leaves r₂. Beyond r₂ the curve continues along d.
     pub fn polyline(&self, tolerance: f64) -> Vec<DVec3> {
         if self.morph.r2 == 0.0 {
             return vec![self.morph.center];
@@ -269,8 +263,7 @@ pub(crate) fn on_ground(p: DVec3) -> DVec2 {
     DVec2::new(p.x, p.z)
 }
 
-/// Returns the interval in which a ray lies inside a vertical cylinder, in units of the direction's length. `start` is
-/// relative to the axis.
+/// Returns a ray's interval inside a vertical cylinder, in units of the direction; `start` is relative to the axis.
 pub(crate) fn within_cylinder(start: DVec2, direction: DVec2, radius: f64) -> Option<(f64, f64)> {
     let (a, b) = (direction.length_squared(), start.dot(direction));
     let c = start.length_squared() - radius * radius;

@@ -6,7 +6,7 @@ use super::curve::on_ground;
 use crate::base::{Result, ensure};
 use crate::morph::{Kind, Morph};
 
-/// Number of samples in distance, azimuth and elevation, before the worst samples are refined.
+/// Number of samples in distance, azimuth and elevation. The worst of them are refined.
 const GRID: [usize; 3] = [13, 25, 31];
 /// Number of the worst samples that are refined.
 const REFINED_SAMPLES: usize = 6;
@@ -16,17 +16,21 @@ const MARGIN_PRECISION: f64 = 1e-4;
 /// Maximum distance of the user from the centre, metres; products of longer lengths overflow.
 const FARTHEST: f64 = 1e30;
 
-/// Returns the metres that the user may still move horizontally, away from the axis, before the determinant of the
-/// morph's Jacobian changes its sign somewhere between the radii. It is negative if the sign has changed already, and
-/// −∞ if it changes even for a user on the axis. The user's height stays as given.
+/// Returns how far the user may move horizontally away from the axis, in metres, before the picture folds: before the
+/// determinant of the morph's Jacobian changes its sign somewhere between the radii. Negative if it folds already, −∞
+/// if it folds even for a user on the axis. The user's height stays the same.
 ///
-/// For `Kind::Cylinder` at full strength the margin is r₁ − |(U−O)_h|: a user beyond r₁ stands outside cylinders on
-/// which points must stay. Where w is constant, as within r₁, nothing folds: M = w (1 − d_U d_Uᵀ)/A + (1−w) (1 − d_O
-/// d_Oᵀ)/B has no negative eigenvalue and m = w d_U + (1−w) d_O is the gradient of the distance, so that a step v with
-/// M v ∥ m and m·v = 0 has v·M v = 0 and is parallel to both directions, hence 0. On each cylinder w is constant, and
-/// its points differ in direction if U stands inside, at about O's height. So no strength folds the picture of a user
-/// within r₁. Points nearer to the axis than U are shown at the blend's distance, and fold as a blend does. At
-/// strength 0 nothing folds.
+/// For `Kind::Cylinder` at full strength the margin is r₁ − |(U−O)_h|: the morph keeps each point on its cylinder about
+/// the axis, and a user beyond r₁ stands outside some of these cylinders.
+///
+/// Nothing folds at strength 0, nor where w is constant, as within r₁. With A = |P−U| and B = |P−O|, the matrix M =
+/// w (1 − d_U d_Uᵀ)/A + (1−w) (1 − d_O d_Oᵀ)/B has no negative eigenvalue, and m = w d_U + (1−w) d_O is the gradient of
+/// the displayed distance. A step v that the Jacobian maps to 0 has M v ∥ m and m·v = 0, hence v·M v = 0. So v is
+/// parallel to d_U and to d_O, and therefore 0.
+///
+/// For `Kind::Cylinder` at lower strengths, w is constant on each cylinder, and if U stands inside a cylinder, about at
+/// O's height, its points are shown in different directions. So the picture of a user within r₁ never folds. Points
+/// nearer to the axis than U are shown at the blend's distance, and fold as with `Kind::Blend`.
 pub fn margin(morph: &Morph) -> Result<f64> {
     if morph.strength == 0.0 {
         return Ok(f64::INFINITY);
@@ -40,8 +44,8 @@ pub fn margin(morph: &Morph) -> Result<f64> {
     if morph.kind == Kind::Cylinder && morph.strength == 1.0 {
         return Ok(morph.r1 - user_rho);
     }
-    // All lengths scale alike: in a unit of about r₂, a power of two, no product overflows or underflows. The unit is a
-    // square, because for the least r₂ its inverse is not finite.
+    // The margin scales with all lengths. They are divided by a power of two near r₂, so that no product overflows or
+    // underflows: twice by its root, because the inverse of the smallest r₂ is infinite.
     let root = (0.5 * morph.r2.log2()).floor().exp2();
     let [r1, r2, height] = [morph.r1, morph.r2, offset.y].map(|length| length / root / root);
     let height = height.clamp(-FARTHEST, FARTHEST);
@@ -51,8 +55,8 @@ pub fn margin(morph: &Morph) -> Result<f64> {
         let scaled = Morph::new(user, DVec3::ZERO, r1, r2, morph.kind)?.with_strength(morph.strength)?;
         Ok(least_determinant(&scaled) <= 0.0)
     };
-    // A user at (r₂ − r₁)/s from the axis always folds the picture: on the line through U and O, behind O, the
-    // displayed distance falls as ρ grows.
+    // For a user at (r₂ − r₁)/s from the axis, with s the strength, the picture always folds: on the line through U and
+    // O, behind O, the displayed distance falls as ρ grows.
     let (mut sound, mut folded) = (0.0, width / morph.strength);
     match morph.kind {
         Kind::Blend if folds(0.0)? => return Ok(f64::NEG_INFINITY),
@@ -66,15 +70,14 @@ pub fn margin(morph: &Morph) -> Result<f64> {
     Ok(0.5 * (sound + folded) * root * root - user_rho)
 }
 
-/// Returns the minimum determinant of the Jacobian between the radii; for `Kind::Cylinder`, where points are shown at
-/// the blend's distance. Its scale does not depend on the distance.
+/// Returns the minimum of `determinant` between the radii, over the points that are shown at the blend's distance.
 fn least_determinant(morph: &Morph) -> f64 {
     let offset = morph.user - morph.center;
     let user_rho = on_ground(offset).length();
     let Morph { r1, r2, strength, .. } = *morph;
     if strength > 0.5 && user_rho > r1 && 3.0 * user_rho >= r1 + r2 - (r2 - r1) * (1.0 / strength - 1.0) {
-        // On the line from U to O the two see a point in opposite directions, and the displayed distance changes with
-        // 2w − 1 + s (|U−O| − 2ρ)/(r₂−r₁). Next to the user this vanishes at 3 |U−O| = 2 r₂ − (r₂−r₁)/s.
+        // U and O see a point between them in opposite directions, and the displayed distance has the derivative
+        // 2w − 1 + s (|U−O| − 2ρ)/(r₂−r₁). Next to the user it vanishes at 3 |U−O| = 2 r₂ − (r₂−r₁)/s.
         return 0.0;
     }
     let fraction = |i: usize, axis: usize| i as f64 / (GRID[axis] - 1) as f64;
@@ -111,9 +114,9 @@ fn minimize(morph: &Morph, mut value: f64, mut position: [f64; 3]) -> f64 {
     value
 }
 
-/// Returns the determinant of the Jacobian at a position: `depth` is the fraction of the way from r₁ to r₂, `turn` the
-/// fraction of half a turn from the user's side, `lift` the fraction of 86° (1.5 rad) up or down as seen from the
-/// centre.
+/// Returns the determinant of the Jacobian at a position, scaled so that it does not depend on the distance. `depth` is
+/// the fraction of the way from r₁ to r₂, `turn` the azimuth from the user's side as a fraction of 180°, `lift` the
+/// elevation seen from the centre as a fraction of 86° (1.5 rad), −1 to 1.
 fn determinant(morph: &Morph, [depth, turn, lift]: [f64; 3]) -> f64 {
     let farthest = match morph.kind {
         Kind::Blend => morph.r2,
@@ -139,7 +142,6 @@ fn determinant(morph: &Morph, [depth, turn, lift]: [f64; 3]) -> f64 {
         derivative(by_user, a) * w + derivative(by_center, b) * (1.0 - w) + outer(by_user - by_center, gradient);
     let angular = (DMat3::IDENTITY - outer(direction, direction)) * blend_derivative;
     let radial = w * by_user + (1.0 - w) * by_center + (a - b) * gradient;
-    // Displacements across the direction are angles, scaled by the geometric mean of both distances; displacements
-    // along it are metres.
+    // Displacements along the direction are metres; those across it are angles times √(a b).
     (angular * (a * b).sqrt() + outer(direction, radial)).determinant()
 }

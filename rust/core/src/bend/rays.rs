@@ -10,8 +10,8 @@ use crate::morph::Morph;
 /// Minimum tolerance in radians. A polyline with this tolerance has a few thousand points.
 const MIN_TOLERANCE: f64 = 1e-9;
 
-/// Returns the polylines of many rays, each padded with NaN to the longest: rows × `longest` points, and `longest`.
-/// Directions may have any length above 0.
+/// Returns (points, longest): the polylines of many rays, each padded with NaN to `longest` points, the length of the
+/// longest. Directions may have any length above 0.
 pub fn bend_rays(
     morph: &Morph,
     directions: &[[f64; 3]],

@@ -65,21 +65,21 @@ proptest! {
     }
 
     #[test]
-    fn points_of_the_part_inside_a_cylinder_are_inside(
+    fn points_in_the_interval_are_inside_the_cylinder(
         x in -20.0..20.0f64, z in -20.0..20.0f64, dx in -1.0..1.0f64, dy in -1.0..1.0f64, dz in -1.0..1.0f64,
         radius in 0.1..15.0f64, s in 0.0..60.0f64,
     ) {
         let (start, direction) = (DVec2::new(x, z), on_ground(DVec3::new(dx, dy, dz).normalize_or(DVec3::Y)));
-        let part = within_cylinder(start, direction, radius);
+        let interval = within_cylinder(start, direction, radius);
         let rho = (start + direction * s).length();
-        let inside = part.is_some_and(|(enter, leave)| (enter..=leave).contains(&s));
+        let inside = interval.is_some_and(|(enter, leave)| (enter..=leave).contains(&s));
         // Rounding of squares of up to 800 m², divided by twice the radius.
         prop_assert!(inside == (rho <= radius) || (rho - radius).abs() < 1e-11);
     }
 }
 
 #[test]
-fn upright_rays_are_in_a_cylinder_always_or_never() {
+fn vertical_rays_lie_inside_a_cylinder_entirely_or_not_at_all() {
     assert_eq!(within_cylinder(DVec2::new(3.0, 0.0), DVec2::ZERO, 3.0), Some((0.0, f64::INFINITY)));
     assert_eq!(within_cylinder(DVec2::new(3.5, 0.0), DVec2::ZERO, 3.0), None);
 }
@@ -98,7 +98,7 @@ fn nothing_bends_at_the_centre_or_upwards_or_along_the_offset() {
 }
 
 #[test]
-fn users_between_the_radii_see_the_near_part_straight_on() {
+fn curves_of_users_between_the_radii_are_straight_within_r1() {
     let morph = Morph::new(DVec3::new(12.0, 0.0, 1.0), DVec3::ZERO, 10.0, 50.0, Kind::Blend).unwrap();
     let curve = RayCurve::new(&morph, DVec3::NEG_X);
     let stretches = curve.stretches();
@@ -121,8 +121,7 @@ fn margins_scale_with_all_lengths() {
 
 #[test]
 fn margins_equal_a_dense_search() {
-    // Found with finite differences on a grid of 41 × 41 × 61 points: (r1, r2, height of the user above O, margin at
-    // O), metres.
+    // Found by finite differences on a grid of 41 × 41 × 61 points: (r1, r2, height of U above O, margin at O), metres.
     let cases = [
         (30.0, 50.0, 0.0, 19.112),
         (30.0, 50.0, 5.0, 18.586),
@@ -136,7 +135,7 @@ fn margins_equal_a_dense_search() {
         for away in [0.0, 7.0] {
             let user = DVec3::new(away * 0.6, height, away * 0.8);
             let found = margin(&Morph::new(user, DVec3::ZERO, r1, r2, Kind::Blend).unwrap()).unwrap();
-            // The samples of that grid lie up to half a metre from the worst point.
+            // The nearest point of the grid lies up to half a metre from the worst point.
             assert!((found - (expected - away)).abs() < 0.02 * (r2 - r1), "{r1} {r2} {height} {found}");
         }
     }

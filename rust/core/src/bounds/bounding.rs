@@ -1,8 +1,8 @@
 //! Bounding spheres of points and of groups of points.
 //!
-//! The smallest sphere grows from a few points: the farthest outside point is added until none is outside. Gärtner: Fast
-//! and robust smallest enclosing balls, 1999. Points deep inside are set aside: a point inside by a distance d stays
-//! inside while the centre moves less than d.
+//! The smallest sphere starts from a few points. The farthest outside point is added until no point is outside
+//! (Gärtner: Fast and robust smallest enclosing balls, 1999). Only points near the surface are scanned: a point that
+//! lies d below it stays inside while the centre moves by less than d.
 
 use glam::DVec3;
 use rayon::prelude::*;
@@ -14,15 +14,14 @@ use crate::base::{Error, Progress, Real, Result};
 /// Points between two checks for cancellation.
 const POINTS_PER_CHECK: usize = 1 << 16;
 
-/// Range of extents whose squares neither overflow nor underflow. Points with other extents are scaled by a power of
-/// two.
-const PLAIN_EXTENTS: std::ops::Range<f64> = 1e-140..1e140;
+/// Range of extents whose squares neither overflow nor underflow. Other points are scaled by a power of two.
+const UNSCALED_EXTENTS: std::ops::Range<f64> = 1e-140..1e140;
 
-/// Number of points up to which all are scanned in each step. For more points, those deep inside are set aside.
+/// Maximum number of points that are all scanned in each step. Of more points, only those in the shell are scanned.
 const MAX_SCANNED: usize = 1 << 12;
-/// Thickness of the shell whose points are scanned, relative to the radius.
+/// Thickness of the shell below the sphere's surface, relative to the radius.
 const SHELL: f64 = 0.05;
-/// Steps without a smaller sphere after which the search ends; the remaining error is rounding.
+/// The search ends after this many steps without a smaller sphere; the remaining error is rounding.
 const STALLED_STEPS: usize = 24;
 /// Relative rounding error of distances.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
@@ -32,8 +31,7 @@ const ROUNDING: f64 = 4.0 * f64::EPSILON;
 pub enum SphereMethod {
     /// The smallest sphere.
     Exact,
-    /// Starts from two distant points and grows to contain each outside point. Ritter: An efficient bounding sphere,
-    /// 1990.
+    /// Grows from two distant points to each outside point in turn (Ritter: An efficient bounding sphere, 1990).
     Ritter,
     /// The sphere about the mean of the points.
     Average,
@@ -50,7 +48,7 @@ pub fn bounding_sphere<T: Real>(points: &[[T; 3]], method: SphereMethod, progres
     if extent == 0.0 {
         return Ok(Sphere { center: cloud.origin, radius: 0.0 });
     }
-    if PLAIN_EXTENTS.contains(&extent) {
+    if UNSCALED_EXTENTS.contains(&extent) {
         return cloud.to_world(&local_sphere(&cloud, method)?);
     }
     // Scaling by a power of two is exact except for denormals, and those are scaled up.
@@ -81,7 +79,7 @@ fn local_sphere<T: Real>(cloud: &Cloud<'_, T>, method: SphereMethod) -> Result<S
     }
 }
 
-/// Returns Ritter's sphere, which grows by the outside points in their order.
+/// Returns Ritter's sphere, which grows at each outside point in the order of the points.
 fn ritter<T: Real>(cloud: &Cloud<'_, T>) -> Result<Sphere> {
     let (_, first) = cloud.farthest(cloud.local(&cloud.points[0]))?;
     let (distance, second) = cloud.farthest(first)?;
@@ -114,7 +112,7 @@ pub fn bounding_spheres<T: Real>(
         let range = usize::try_from(offsets[n]).ok().zip(usize::try_from(offsets[n + 1]).ok());
         let group = range.and_then(|(from, to)| points.get(from..to)).filter(|group| !group.is_empty());
         group.ok_or_else(|| {
-            let expected = format!("numbers that rise from one to the next, from 0 to {}", points.len());
+            let expected = format!("strictly ascending numbers from 0 to {}", points.len());
             Error::value("offsets", expected, format!("{} and {} at index {n}", offsets[n], offsets[n + 1]))
         })
     };
@@ -129,7 +127,7 @@ pub fn bounding_spheres<T: Real>(
     (0..count).into_par_iter().map(sphere).collect()
 }
 
-/// The smallest sphere, in the cloud's frame.
+/// Returns the smallest sphere, in the cloud's frame.
 fn smallest<T: Real>(cloud: &Cloud<'_, T>) -> Result<Sphere> {
     let progress = cloud.progress;
     let extremes: Vec<[f64; 3]> = cloud.extremes.iter().map(|point| point.to_array()).collect();
@@ -152,7 +150,7 @@ fn smallest<T: Real>(cloud: &Cloud<'_, T>) -> Result<Sphere> {
     Ok(widen(cloud.points, cloud.origin, support, progress)?.0)
 }
 
-/// Adds the farthest point until none lies outside. Returns the sphere about all points and its support.
+/// Adds the farthest point to the support until no point lies outside. Returns the sphere and its support.
 fn widen<T: Real>(
     points: &[[T; 3]],
     origin: DVec3,
@@ -190,9 +188,9 @@ impl Support {
         Self { points: [point; 4], count: 1, center: point, radius: 0.0 }
     }
 
-    /// Returns the smallest sphere about this support and a new point outside the sphere; the new point lies on its
-    /// surface. Among the spheres determined by subsets of the points, it takes the one whose radius needs the smallest
-    /// increase to contain all points. So a degenerate subset, whose sphere is undefined, is never the result.
+    /// Returns the smallest sphere around this support and a new point outside it. The new point lies on the surface,
+    /// so the centre is that of a sphere through the new point and a subset of the others. Each centre gets the radius
+    /// that contains all points, and the smallest sphere is taken; a degenerate subset has a NaN centre and never wins.
     fn extend(&self, new: DVec3) -> Self {
         let old = &self.points[..self.count];
         let mut best = Self { radius: f64::INFINITY, ..Self::point(new) };
@@ -222,7 +220,7 @@ fn larger(a: f64, b: f64) -> f64 {
     if a.is_nan() || a > b { a } else { b }
 }
 
-/// Returns the point equidistant from one to four points: in their plane if there are three, on their line if two.
+/// Returns the point at equal distances from one to four points: on the line through two points, in the plane of three.
 pub(super) fn equidistant(points: &[DVec3]) -> DVec3 {
     let from = points[0];
     match *points {

@@ -1,4 +1,4 @@
-//! Bounding spheres (the smallest, and faster, larger ones) and the solid angles of spheres.
+//! Bounding spheres (the smallest, or larger ones that take less time) and solid angles of spheres.
 
 mod bounding;
 mod scan;
@@ -8,4 +8,4 @@ mod tests;
 
 pub use bounding::{SphereMethod, bounding_sphere, bounding_spheres};
 pub use scan::Sphere;
-pub use solid_angle::{Seen, check, each_tile, solid_angles};
+pub use solid_angle::{SphereView, check_spheres, each_tile, solid_angles};

@@ -9,7 +9,7 @@ use crate::base::{Error, Progress, Real, Result};
 
 /// Number of points per task: fixed, so that results do not depend on the number of threads.
 const TILE: usize = 1 << 12;
-/// Number of points of which copies are collected before room for them is requested.
+/// Number of points scanned between two requests for memory for the copied ones.
 const POINTS_PER_REQUEST: usize = TILE << 8;
 /// Number of points that one vector operation processes.
 const LANES: usize = 8;
@@ -21,7 +21,7 @@ const PREFETCHED_BLOCKS: usize = 12;
 const DIRECTIONS: usize = 7;
 /// Number of axes; they come first among the directions.
 const AXES: usize = 3;
-/// Stride in blocks: only every eighth block is projected onto the diagonals.
+/// Only every eighth block is projected onto the diagonals.
 const DIAGONAL_STRIDE: usize = 8;
 
 /// A centre and a radius.
@@ -50,7 +50,7 @@ fn project<T: Real>(&[x, y, z]: &[T; 3]) -> [f64; DIRECTIONS] {
 vectorized! {
     /// Returns the maximum squared distance from a centre, and the index of its point.
     fn farthest<T: Real>(points: &[[T; 3]], origin: DVec3, center: DVec3) -> (f64, usize) = farthest_kernel;
-    /// Appends, relative to the origin, the points whose squared distance from a centre exceeds a limit.
+    /// Appends the points, relative to the origin, whose squared distance from a centre exceeds a limit.
     fn collect_beyond<T: Real>(points: &[[T; 3]], origin: DVec3, center: DVec3, limit: f64, outside: &mut Vec<[f64; 3]>)
         = beyond_kernel;
     /// Returns the sum of the points, relative to the origin.
@@ -59,11 +59,11 @@ vectorized! {
     fn extremes<T: Real>(points: &[[T; 3]]) -> Extremes = extremes_kernel;
 }
 
-/// Finite points. Results are relative to the first one, so that they keep their precision if all lie far from zero.
+/// Finite points. Results are relative to the origin, so that they are precise even if all points lie far from zero.
 pub(super) struct Cloud<'a, T> {
     pub points: &'a [[T; 3]],
-    /// Progress and cancellation.
     pub progress: &'a Progress,
+    /// The first point.
     pub origin: DVec3,
     /// Minimum and maximum coordinates, relative to the origin.
     pub bounds: [DVec3; 2],
@@ -89,7 +89,7 @@ impl<'a, T: Real> Cloud<'a, T> {
             let got = points[index].map(T::wide);
             return Err(Error::value("points", "finite coordinates", format!("{got:?} at index {index}")));
         }
-        // Tiles store only extreme values; the point itself is searched in the tile with the most extreme value.
+        // Tiles store extreme values, not points: the point is found by a second scan of the tile with that value.
         let point = |is_extreme: &dyn Fn(&[f64; DIRECTIONS]) -> bool, tile: Option<usize>| {
             let from = tile.unwrap_or(0) * TILE;
             let near = points[from..].iter().take(TILE);
@@ -106,13 +106,13 @@ impl<'a, T: Real> Cloud<'a, T> {
         Ok(Self { points, progress, origin, bounds: bounds.map(|corner| corner - origin), extremes })
     }
 
-    /// A point relative to the cloud's origin.
+    /// Returns a point relative to the cloud's origin.
     #[inline(always)]
     pub fn local(&self, point: &[T; 3]) -> DVec3 {
         DVec3::from_array(point.map(T::wide)) - self.origin
     }
 
-    /// Returns the maximum distance from a centre, and the first point that has it.
+    /// Returns the maximum distance from a centre, and the first point at this distance.
     pub fn farthest(&self, center: DVec3) -> Result<(f64, DVec3)> {
         farthest_of(self.points, self.origin, center, self.progress)
     }
@@ -142,8 +142,8 @@ impl<'a, T: Real> Cloud<'a, T> {
         Ok(all)
     }
 
-    /// Moves a sphere from the cloud's frame to that of the points. The sum rounds the centre, so the radius is
-    /// measured again from the rounded centre.
+    /// Converts a sphere from the cloud's frame to world coordinates. If that rounds the centre, the radius is measured
+    /// again from the rounded centre.
     pub fn to_world(&self, sphere: &Sphere) -> Result<Sphere> {
         let center = sphere.center + self.origin;
         let is_exact = center - self.origin == sphere.center;
@@ -152,7 +152,7 @@ impl<'a, T: Real> Cloud<'a, T> {
     }
 }
 
-/// Returns the maximum distance from a centre, and the first point that has it; both relative to the origin.
+/// Returns the maximum distance from a centre, and its first point; centre and point are relative to the origin.
 pub(super) fn farthest_of<T: Real>(
     points: &[[T; 3]],
     origin: DVec3,
@@ -169,7 +169,7 @@ pub(super) fn farthest_of<T: Real>(
     Ok((squared.sqrt(), DVec3::from_array(points[index].map(T::wide)) - origin))
 }
 
-/// Collects a kernel's result for each tile, in order.
+/// Calls a kernel with the number and points of each tile; returns its results in order.
 fn each_tile<T: Sync, R: Send>(
     points: &[[T; 3]],
     progress: &Progress,
@@ -216,8 +216,7 @@ fn extremes_kernel<T: Real>(points: &[[T; 3]]) -> Extremes {
             }
         }
     }
-    // The diagonals only give start points for the search, which need not be the most extreme ones, so blocks are
-    // skipped.
+    // Extremes along diagonals only start the search. They need not be the most extreme points, so blocks are skipped.
     for block in blocks.iter().step_by(DIAGONAL_STRIDE) {
         let [x, y, z] = gather(block);
         for i in 0..LANES {
@@ -264,7 +263,7 @@ fn sum_kernel<T: Real>(points: &[[T; 3]], origin: DVec3) -> DVec3 {
     DVec3::from_array(sums.map(|lanes| lanes.iter().sum()))
 }
 
-/// Squared distances of a block's points from a centre.
+/// Returns the squared distances of a block's points from a centre.
 #[inline(always)]
 fn squares<T: Real>(block: &[[T; 3]; LANES], origin: [f64; 3], center: [f64; 3]) -> [f64; LANES] {
     let lanes = gather(block);
@@ -282,7 +281,7 @@ fn squares<T: Real>(block: &[[T; 3]; LANES], origin: [f64; 3], center: [f64; 3])
 fn farthest_kernel<T: Real>(points: &[[T; 3]], origin: DVec3, center: DVec3) -> (f64, usize) {
     let (origin, center) = (origin.to_array(), center.to_array());
     let (blocks, remainder) = points.as_chunks::<LANES>();
-    // Maximum of each lane and its block; the first of equal values.
+    // Maximum of each lane, and the first block that has it.
     let (mut max_squared, mut block_of_max) = ([f64::NEG_INFINITY; LANES], [0.0; LANES]);
     let mut number = 0.0;
     for (n, block) in blocks.iter().enumerate() {

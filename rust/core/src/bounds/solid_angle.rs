@@ -10,9 +10,9 @@ use crate::base::{Progress, Result, ensure};
 /// Number of spheres in one task.
 const TILE: usize = 1 << 12;
 
-/// A sphere as seen from an eye.
+/// Direction and apparent size of a sphere.
 #[derive(Clone, Copy, Debug)]
-pub struct Seen {
+pub struct SphereView {
     /// Unit vector from the eye to the centre.
     pub direction: DVec3,
     /// Sine of half the subtended angle.
@@ -21,10 +21,10 @@ pub struct Seen {
     pub cosine: f64,
 }
 
-impl Seen {
+impl SphereView {
     /// Creates the view of a sphere; `None` if the eye is in or on it. `offset` points from the eye to the centre.
     pub fn new(offset: DVec3, radius: f64) -> Option<Self> {
-        // Scaled, because squares of lengths beyond 10±¹⁵⁴ overflow or underflow.
+        // Scaled, because squares of lengths above 10¹⁵⁴ overflow and below 10⁻¹⁵⁴ underflow.
         let scale = offset.abs().max_element().max(radius);
         if scale == 0.0 {
             return None;
@@ -39,7 +39,7 @@ impl Seen {
         })
     }
 
-    /// Returns σ = 2π (1 − cos μ) in steradians, with μ half the subtended angle, in a form without cancellation.
+    /// Returns the solid angle 2π (1 − cos μ) in steradians, with μ half the subtended angle, without cancellation.
     pub fn solid_angle(&self) -> f64 {
         2.0 * PI * (self.sine * self.sine / (1.0 + self.cosine))
     }
@@ -55,17 +55,17 @@ pub fn each_tile(
 ) -> Result<()> {
     let tiles = centers.par_chunks(TILE).zip(radii.par_chunks(TILE)).zip(results.par_chunks_mut(TILE)).enumerate();
     tiles.try_for_each(|(number, ((centers, radii), results))| {
-        check(centers, radii, eye, number * TILE)?;
+        check_spheres(centers, radii, eye, number * TILE)?;
         compute(centers, radii, results)
     })
 }
 
-/// Fails for spheres that are not finite; `first` is the index of the first sphere, for the message.
-pub fn check(centers: &[[f64; 3]], radii: &[f64], eye: DVec3, first: usize) -> Result<()> {
+/// Fails for spheres that are not finite or not at a finite distance; `first` is the first index, for the message.
+pub fn check_spheres(centers: &[[f64; 3]], radii: &[f64], eye: DVec3, first: usize) -> Result<()> {
     for (n, (center, &radius)) in centers.iter().zip(radii).enumerate() {
         let index = first + n;
         let is_finite = (DVec3::from_array(*center) - eye).is_finite();
-        let expected = "finite numbers, and distances from the eye that are";
+        let expected = "finite numbers, at finite distances from the eye";
         ensure!(is_finite, "centers", expected, format!("{center:?} at index {index}"));
         let is_radius = radius >= 0.0 && radius.is_finite();
         ensure!(is_radius, "radii", "finite numbers of at least 0", format!("{radius} at index {index}"));
@@ -83,7 +83,8 @@ pub fn solid_angles(
 ) -> Result<()> {
     each_tile(centers, radii, eye, to, |centers, radii, to| {
         for ((center, &radius), to) in centers.iter().zip(radii).zip(to) {
-            *to = Seen::new(DVec3::from_array(*center) - eye, radius).map_or(4.0 * PI, |seen| seen.solid_angle());
+            let view = SphereView::new(DVec3::from_array(*center) - eye, radius);
+            *to = view.map_or(4.0 * PI, |view| view.solid_angle());
         }
         progress.check()
     })

@@ -4,8 +4,8 @@ use proptest::prelude::*;
 use super::*;
 use crate::base::Progress;
 
-/// Radius of the smallest enclosing sphere, by brute force over all spheres that two to four points determine.
-fn slowly(points: &[[f64; 3]]) -> f64 {
+/// Radius of the smallest enclosing sphere, by brute force over all spheres that one to four points determine.
+fn brute_force_radius(points: &[[f64; 3]]) -> f64 {
     let points: Vec<DVec3> = points.iter().map(|&point| point.into()).collect();
     let mut least = f64::INFINITY;
     let mut try_center = |center: DVec3| {
@@ -37,7 +37,7 @@ proptest! {
         let points: Vec<[f64; 3]> =
             points.iter().map(|&[x, y, z]| [x + shift, y - shift, if flat { shift } else { z }]).collect();
         let found = bounding_sphere(&points, SphereMethod::Exact, &Progress::new()).unwrap();
-        prop_assert!((found.radius - slowly(&points)).abs() <= 1e-12);
+        prop_assert!((found.radius - brute_force_radius(&points)).abs() <= 1e-12);
         for method in [SphereMethod::Ritter, SphereMethod::Average, SphereMethod::MinMax, SphereMethod::Best] {
             prop_assert!(bounding_sphere(&points, method, &Progress::new()).unwrap().radius >= found.radius * (1.0 - 1e-12));
         }
@@ -57,6 +57,6 @@ proptest! {
 
 #[test]
 fn nan_radii_are_refused() {
-    let refused = |radius: f64| check(&[[0.0; 3]], &[radius], DVec3::ONE, 0).is_err();
+    let refused = |radius: f64| check_spheres(&[[0.0; 3]], &[radius], DVec3::ONE, 0).is_err();
     assert_eq!([f64::NAN, f64::INFINITY, -1e-300, -0.0, 0.0].map(refused), [true, true, true, false, false]);
 }

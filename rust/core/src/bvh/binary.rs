@@ -1,4 +1,4 @@
-//! Binary trees over boxes, built by obvhs in cancellable steps of a fraction of a second.
+//! Binary trees over boxes. The crate obvhs builds them in cancellable steps of a fraction of a second.
 
 use glam::Vec3;
 use obvhs::aabb;
@@ -9,13 +9,12 @@ use rayon::prelude::*;
 
 use crate::base::{Aabb, Progress, Result};
 
-/// Maximum number of boxes that are clustered at once. Clustering does not check for cancellation; it takes a tenth of a
-/// second for this number on one core.
+/// Maximum number of boxes that are clustered at once; this takes a tenth of a second and cannot be cancelled.
 const MAX_PART_BOXES: usize = 1 << 18;
-/// Number of passes of the optimizer. Pass k = 0, 1, … moves 1 / (2 k + 1) as many nodes as the first pass.
+/// Number of passes of the optimizer. Pass k = 0, 1, … moves 1 / (2 k + 1) of the number of nodes that pass 0 moves.
 const PASSES: usize = 16;
-/// Maximum number of nodes that the first pass moves in a tree of several parts. The optimizer selects the nodes with
-/// the largest boxes, which are near the parts' roots.
+/// Maximum number of nodes that the first pass moves in a tree joined from several parts. The optimizer moves the nodes
+/// with the largest boxes, which are near the parts' roots.
 const MAX_NODES_NEAR_ROOTS: usize = 1 << 16;
 
 /// Builds the tree. Leaves hold one box each, or up to `leaf_boxes` where that lowers the cost.
@@ -39,7 +38,7 @@ pub(super) fn build(boxes: &[Aabb], leaf_boxes: u32, progress: &Progress) -> Res
     });
     let trees: Vec<Bvh2> = trees.collect::<Result<_>>()?;
     let mut tree = join_trees(trees, progress)?;
-    // The joined tree numbers boxes in the order of the parts.
+    // The joined tree numbers boxes in the order of the parts; restore the caller's numbers.
     tree.primitive_indices.par_iter_mut().for_each(|index| *index = members[*index as usize].number);
     if scale != 1.0 {
         restore_boxes(&mut tree, boxes);
@@ -47,7 +46,7 @@ pub(super) fn build(boxes: &[Aabb], leaf_boxes: u32, progress: &Progress) -> Res
     Ok(tree)
 }
 
-/// A box and its centre.
+/// Centre and number of a box.
 struct Member {
     center: Vec3,
     number: u32,
@@ -97,13 +96,13 @@ fn join_trees(mut trees: Vec<Bvh2>, progress: &Progress) -> Result<Bvh2> {
         progress.check()?;
         // A tree's root takes the leaf's place; its other nodes are appended.
         let (first_box, first_node) = (first_box[number as usize], joined.nodes.len() as u32 - 1);
-        let renumbered = |node: &Bvh2Node| {
+        let renumber = |node: &Bvh2Node| {
             let first = if node.is_leaf() { first_box } else { first_node };
             Bvh2Node::new(*node.aabb(), node.prim_count, first + node.first_index)
         };
         let tree = std::mem::take(&mut trees[number as usize]);
-        joined.nodes[leaf] = renumbered(&tree.nodes[0]);
-        joined.nodes.extend(tree.nodes[1..].iter().map(renumbered));
+        joined.nodes[leaf] = renumber(&tree.nodes[0]);
+        joined.nodes.extend(tree.nodes[1..].iter().map(renumber));
         joined.max_depth = joined.max_depth.max(tree.max_depth);
     }
     let fraction = MAX_NODES_NEAR_ROOTS as f32 / joined.nodes.len() as f32;
@@ -115,7 +114,7 @@ pub(super) fn bounds(node: &Bvh2Node) -> Aabb {
     Aabb { min: node.aabb().min.into(), max: node.aabb().max.into() }
 }
 
-/// Moves nodes to places in the tree at which they reduce its cost. The first pass moves `fraction` of all nodes.
+/// Moves nodes within the tree to reduce its cost. The first pass moves `fraction` of all nodes.
 fn optimize(tree: &mut Bvh2, fraction: f32, progress: &Progress) -> Result<()> {
     let mut optimizer = ReinsertionOptimizer::default();
     for pass in 0..PASSES {
@@ -125,13 +124,13 @@ fn optimize(tree: &mut Bvh2, fraction: f32, progress: &Progress) -> Result<()> {
     progress.check()
 }
 
-/// Returns a power of two that scales boxes so that their areas neither overflow nor underflow in float32; usually 1.
+/// Returns the power of two, usually 1, that scales boxes so that areas neither overflow nor underflow in float32.
 fn scale_for(boxes: &[Aabb]) -> f32 {
     let greatest = boxes.iter().map(|b| b.min.abs().max(b.max.abs()).max_element()).fold(0.0, f32::max);
     if greatest == 0.0 || (1e-9..1e12).contains(&greatest) {
         return 1.0;
     }
-    // Scaling by a power of two is exact unless it underflows, as for boxes that are far smaller than the largest.
+    // Scaling by a power of two is exact unless boxes far smaller than the largest underflow.
     (-f64::from(greatest).log2().floor()).exp2().clamp(1e-38, 1e38) as f32
 }
 

@@ -9,7 +9,7 @@ use crate::base::{Aabb, Result, ensure};
 pub(crate) const LANES: usize = 4;
 /// Maximum number of blocks in a leaf.
 const MAX_BLOCKS: usize = 8;
-/// Bits of a leaf reference for the number of its first block. Three more bits hold the number of blocks minus one.
+/// Number of bits in a leaf reference for its first block; the next three bits are the number of blocks minus one.
 const START_BITS: u32 = 28;
 
 /// Up to four triangles. Unused lanes repeat the last triangle.
@@ -31,7 +31,7 @@ pub(crate) fn leaf_blocks(reference: u32) -> std::ops::Range<usize> {
 
 /// Fails if a mesh has more triangles than a leaf's reference can address.
 pub(crate) fn check_count(faces: usize) -> Result<()> {
-    // In the worst case each triangle has its own block. A reference of all ones would equal `NO_CHILD`.
+    // In the worst case each triangle has a block to itself. A reference of all ones would equal `NO_CHILD`.
     ensure!(faces < 1 << START_BITS, "faces", format!("fewer than {} in one mesh", 1u32 << START_BITS), faces);
     Ok(())
 }
@@ -39,7 +39,7 @@ pub(crate) fn check_count(faces: usize) -> Result<()> {
 /// Appends the blocks of some triangles and returns the slot that refers to them.
 pub(crate) fn push_leaf(blocks: &mut Vec<Block>, faces: &[u32], corners: &impl Fn(u32) -> [Vec3; 3]) -> Slot {
     if faces.len() > LANES * MAX_BLOCKS {
-        // More triangles than a leaf can hold share one box, so no tree can separate them.
+        // These triangles share one box, so no tree can separate them, but they are too many for one leaf.
         let part = faces.len().div_ceil(WIDTH).max(LANES * MAX_BLOCKS);
         let parts: Vec<Slot> = faces.chunks(part).map(|part| push_leaf(blocks, part, corners)).collect();
         let bounds = parts.iter().fold(Aabb::EMPTY, |all, part| all.union(&part.bounds));
@@ -58,7 +58,7 @@ pub(crate) fn push_leaf(blocks: &mut Vec<Block>, faces: &[u32], corners: &impl F
 }
 
 impl Block {
-    /// Returns the same faces with other corners.
+    /// Replaces the corners of the block's faces.
     pub(crate) fn with_corners(mut self, corners: &impl Fn(u32) -> [Vec3; 3]) -> Self {
         for (lane, &face) in self.faces.iter().enumerate() {
             for (corner, p) in corners(face).into_iter().enumerate() {

@@ -1,7 +1,7 @@
 //! Groups of triangles with equal boxes.
 //!
-//! The builder's clustering takes quadratic time for thousands of equal boxes. So each distinct box enters the builder
-//! once, and its leaf holds all triangles with that box, except exact copies.
+//! The builder's clustering takes quadratic time for thousands of equal boxes. So the builder gets each distinct box
+//! once, and the box's leaf holds all triangles with this box, except exact copies.
 
 use rayon::prelude::*;
 
@@ -33,8 +33,8 @@ impl MeshArrays<'_> {
         Aabb::of_points(self.faces[face as usize].map(|v| self.positions[v as usize].into()))
     }
 
-    /// Returns the data that decides whether two faces are copies: the corners with their attributes in a canonical
-    /// order, and the material. Attributes count because a cut-out may depend on them.
+    /// Returns a value that is equal for copies: the corners with their attributes in a canonical order, and the
+    /// material. Attributes count because alpha cut-outs may depend on them.
     fn identity(&self, face: u32) -> Identity {
         let mut corners = self.faces[face as usize].map(|v| {
             let v = v as usize;
@@ -52,9 +52,9 @@ impl MeshArrays<'_> {
 pub(crate) struct Groups {
     /// One box for each group.
     pub(crate) boxes: Vec<Aabb>,
-    /// All faces without copies; the faces of a group are consecutive and ascending.
+    /// All faces except copies; the faces of a group are consecutive and ascending.
     faces: Vec<u32>,
-    /// First entry of each group in `faces`; the last entry is the total.
+    /// Index in `faces` of each group's first face; the last entry is the length of `faces`.
     starts: Vec<u32>,
     /// Omitted copies as (the face in the tree, the copy), ascending.
     pub(crate) copies: Vec<(u32, u32)>,
@@ -64,7 +64,7 @@ impl Groups {
     /// Groups the faces of a mesh. Groups are numbered in the order of their lowest faces.
     pub(crate) fn new(mesh: MeshArrays<'_>, progress: &Progress) -> Result<Self> {
         let count = mesh.faces.len() as u32;
-        // Sorted by a hash of the box, then by face, so that equal boxes are consecutive.
+        // Sort by a hash of the box, then by face, so that equal boxes are consecutive.
         let mut order: Vec<(u32, u32)> = (0..count).into_par_iter().map(|f| (hash(&mesh.bounds(f)), f)).collect();
         progress.check()?;
         sort_by_key(&mut order, |&(hash, _)| hash, progress)?;
@@ -90,14 +90,14 @@ impl Groups {
         Ok(Self { boxes, faces, starts, copies })
     }
 
-    /// The faces of a group.
+    /// Returns the faces of a group.
     pub(crate) fn faces(&self, group: u32) -> &[u32] {
         &self.faces[self.starts[group as usize] as usize..self.starts[group as usize + 1] as usize]
     }
 }
 
-/// Splits faces of equal hash into groups of equal boxes: (lowest face, 1 + index of its list, or 0 for a single
-/// face).
+/// Splits faces of equal hash into groups of equal boxes. A group is (lowest face, 0) if it has one face, otherwise
+/// (lowest face, 1 + index of its faces in `shared`).
 fn split_run(
     mesh: MeshArrays<'_>,
     run: &[(u32, u32)],
@@ -116,11 +116,11 @@ fn split_run(
     let mut members: Vec<_> = run.iter().map(|&(_, face)| (key(face), mesh.identity(face), face)).collect();
     members.sort_unstable();
     for group in members.chunk_by(|a, b| a.0 == b.0) {
-        // Only the lowest face of several copies is listed: it wins ties, so no ray can report the others.
+        // Only the lowest of several copies is listed: it wins ties, so no ray can report the others.
         let mut list: Vec<u32> = Vec::new();
-        for alike in group.chunk_by(|a, b| a.1 == b.1) {
-            list.push(alike[0].2);
-            copies.extend(alike[1..].iter().map(|copy| (alike[0].2, copy.2)));
+        for duplicates in group.chunk_by(|a, b| a.1 == b.1) {
+            list.push(duplicates[0].2);
+            copies.extend(duplicates[1..].iter().map(|copy| (duplicates[0].2, copy.2)));
         }
         list.sort_unstable();
         let first = list[0];

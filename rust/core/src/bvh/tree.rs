@@ -1,5 +1,4 @@
-//! Trees over triangles and over instances. obvhs builds binary trees; `Wide` converts them to eight children per
-//! node.
+//! Trees over triangles and over instances. obvhs builds binary trees; `Wide` converts them.
 
 use std::sync::Arc;
 
@@ -18,8 +17,7 @@ pub struct Bvh {
     pub(crate) wide: Wide,
     pub(crate) blocks: Vec<Block>,
     pub(crate) bounds: Aabb,
-    /// Faces that no ray can report because a copy of them is in the tree: (the face in the tree, the copy),
-    /// ascending.
+    /// Faces that are left out because the tree has a copy of them: (face in the tree, omitted face), ascending.
     copies: Arc<Vec<(u32, u32)>>,
 }
 
@@ -30,8 +28,7 @@ pub struct Tlas {
     pub(crate) bounds: Aabb,
 }
 
-/// Bytes per box, or per face of a mesh, of all arrays of a tree while it is built, most of them the builder's; measured
-/// as the growth of the address space.
+/// Memory for building a tree, bytes per box or face, mostly the builder's; measured as growth of the address space.
 const BUILD_BYTES: u64 = 320;
 
 /// Maximum number of boxes in a leaf: the number of lanes of a block.
@@ -60,7 +57,7 @@ impl Bvh {
         Ok(bvh)
     }
 
-    /// Returns the tree refitted to moved corners; its quality degrades only if they move far.
+    /// Returns the tree refitted to moved corners. Traversal becomes slower if they move far.
     pub fn refitted(&self, corners: impl Fn(u32) -> [Vec3; 3] + Sync) -> Result<Self> {
         let blocks = try_collect(self.blocks.par_iter().map(|block| block.clone().with_corners(&corners)))?;
         let wide = self.wide.refitted(|leaf| {
@@ -70,7 +67,7 @@ impl Bvh {
         Ok(Self { bounds: wide.bounds(), wide, blocks, copies: Arc::clone(&self.copies) })
     }
 
-    /// Appends the copies of the given faces; returns whether there were any.
+    /// Appends the omitted copies of the given faces; returns whether there are any.
     pub(crate) fn add_copies(&self, faces: &mut Vec<u32>) -> bool {
         if self.copies.is_empty() {
             return false;
@@ -85,13 +82,13 @@ impl Bvh {
         faces.len() > count
     }
 
-    /// Returns the blocks of a leaf; empty for `NO_CHILD`, which a ray with NaN may appear to hit.
+    /// Returns the blocks of a leaf; empty for `NO_CHILD`, which a ray with a NaN component may reach.
     #[inline(always)]
     pub(crate) fn leaf(&self, leaf: u32) -> &[Block] {
         self.blocks.get(leaf_blocks(leaf)).unwrap_or_default()
     }
 
-    /// Memory of nodes and triangles, bytes.
+    /// Returns the memory of nodes and triangles, bytes.
     pub fn bytes(&self) -> usize {
         size_of_val(&self.wide.nodes[..]) + size_of_val(&self.blocks[..]) + size_of_val(&self.copies[..])
     }
@@ -132,7 +129,7 @@ impl Tlas {
         Ok(tlas)
     }
 
-    /// Returns the instance of a leaf; `None` for `NO_CHILD`, which a ray with NaN may appear to hit.
+    /// Returns the instance of a leaf; `None` for `NO_CHILD`, which a ray with a NaN component may reach.
     #[inline(always)]
     pub(crate) fn instance(&self, leaf: u32) -> Option<u32> {
         self.order.get((leaf & !LEAF) as usize).copied()
@@ -161,7 +158,7 @@ mod tests {
     use super::*;
     use crate::base::{Error, random};
 
-    /// Boxes of a metre or less in a cube of a hundred.
+    /// Boxes with sides of up to 1 m in a cube of 100 m.
     fn boxes(count: u64) -> Vec<Aabb> {
         let number = |box_: u64, n: u64| random::uniform(7, box_, n) as f32;
         let corner = |b: u64, first: u64| Vec3::new(number(b, first), number(b, first + 1), number(b, first + 2));

@@ -1,4 +1,4 @@
-//! Trees with eight children per node, stored so that one vector holds the same plane of all eight boxes.
+//! Trees with eight children per node. One SIMD vector holds the same plane of all eight boxes.
 
 use obvhs::bvh2::Bvh2;
 use rayon::prelude::*;
@@ -9,13 +9,13 @@ use crate::base::{Aabb, Progress, Result};
 
 /// Number of children of a node.
 pub(crate) const WIDTH: usize = 8;
-/// Bit that marks a child as a leaf; the other bits belong to the tree's owner.
+/// Bit that marks a child as a leaf. The owner of the tree defines the other bits.
 pub(crate) const LEAF: u32 = 1 << 31;
 /// Marks an unused child slot; no ray hits its box.
 pub(crate) const NO_CHILD: u32 = u32::MAX;
-/// Number of binary nodes above which the conversion is parallel.
+/// Trees with more binary nodes are converted in parallel.
 const PARALLEL_NODES: usize = 1 << 17;
-/// Levels of such a tree that one thread converts; hundreds of subtrees below them are converted in parallel.
+/// Number of levels that one thread converts first; the hundreds of subtrees below are then converted in parallel.
 const TOP_LEVELS: usize = 3;
 /// Nodes between two checks for cancellation.
 const NODES_PER_CHECK: usize = 1 << 10;
@@ -45,13 +45,13 @@ impl Node {
         self.children[slot] = child;
     }
 
-    /// The box of a child.
+    /// Returns the box of a child.
     pub(crate) fn bounds(&self, slot: usize) -> Aabb {
         let plane = |side: usize| std::array::from_fn::<f32, 3, _>(|axis| self.planes[2 * axis + side][slot]);
         Aabb { min: plane(0).into(), max: plane(1).into() }
     }
 
-    /// The box of all children.
+    /// Returns the bounding box of all children.
     fn hull(&self) -> Aabb {
         (0..WIDTH).fold(Aabb::EMPTY, |all, slot| all.union(&self.bounds(slot)))
     }
@@ -65,10 +65,9 @@ pub(crate) struct Wide {
     pub(crate) stack: usize,
 }
 
-/// Child of a future wide node: an inner node of the binary tree, or a leaf.
+/// Child of a wide node during conversion.
 pub(crate) struct Slot {
     pub(crate) bounds: Aabb,
-    /// A node to open, or a finished leaf.
     pub(crate) content: Content,
 }
 
@@ -83,10 +82,10 @@ pub(crate) enum Content {
 }
 
 impl Wide {
-    /// Converts a binary tree; also returns the contents of its leaves. Each wide node opens the child with the
-    /// largest box until it has eight children, as Embree does. `leaf` converts a leaf of the binary tree: it appends
-    /// the contents to a list and returns a slot, whose references are `LEAF`, an index into that list and higher
-    /// bits.
+    /// Converts a binary tree; also returns the contents of its leaves. As in Embree, a wide node replaces its child
+    /// with the largest box by that child's children until it has eight. `leaf` converts a leaf of the binary tree: it
+    /// appends the contents to a list and returns a slot. References in the slot consist of `LEAF`, an index into this
+    /// list in the low bits, and bits above it that `leaf` chooses.
     pub(crate) fn convert<B: Send>(
         tree: &Bvh2,
         leaf: impl Fn(&[u32], &mut Vec<B>) -> Slot + Sync,
@@ -132,13 +131,13 @@ impl Wide {
         Ok(Self { nodes, stack: self.stack })
     }
 
-    /// The bounding box of the tree.
+    /// Returns the bounding box of the tree.
     pub(crate) fn bounds(&self) -> Aabb {
         self.nodes.first().map_or(Aabb::EMPTY, Node::hull)
     }
 
-    /// Checks that each child lies inside its slot's box and is referenced once; the error describes the fault. `leaf`
-    /// returns the box of a leaf's contents.
+    /// Checks that each child lies inside its slot's box and that each node is referenced once; the error describes the
+    /// fault. `leaf` returns the box of a leaf's contents.
     pub(crate) fn validate(&self, mut leaf: impl FnMut(u32) -> Aabb) -> Result<(), String> {
         let mut references = vec![0u32; self.nodes.len()];
         for (number, node) in self.nodes.iter().enumerate() {
@@ -171,7 +170,7 @@ impl Wide {
     }
 }
 
-/// A part of a tree converted by one thread. Its node numbers and content positions begin at 0.
+/// A part of a tree that one thread converts. Its node numbers and content indices begin at 0.
 struct Piece<B> {
     nodes: Vec<Node>,
     contents: Vec<B>,
@@ -188,7 +187,7 @@ struct Subtree {
 }
 
 impl<B> Piece<B> {
-    /// Converts a subtree of the binary tree; inner nodes below the given number of levels are left out.
+    /// Converts the top levels of a subtree of the binary tree. Inner nodes below them become entries of `subtrees`.
     fn new(
         tree: &Bvh2,
         root: u32,
@@ -205,7 +204,7 @@ impl<B> Piece<B> {
             }
             Slot { bounds: bounds(node), content: Content::Inner(index) }
         };
-        // Pending wide nodes: the slots to open, the node and slot that refer to it, and its depth.
+        // Pending wide nodes: slots to open, the node and slot that refer to the pending node, and its level.
         let mut pending = vec![(vec![slot(root, &mut piece.contents)], None, 1usize)];
         while let Some((mut slots, parent, level)) = pending.pop() {
             piece.depth = piece.depth.max(level);
@@ -218,8 +217,7 @@ impl<B> Piece<B> {
                 progress.check()?;
             }
             let mut node = Node::EMPTY;
-            // In reverse order, because the last pending node is opened first; so children follow their parent in
-            // order.
+            // In reverse, because the last pending node is converted first: so children are stored in slot order.
             for (index, slot) in slots.into_iter().enumerate().rev() {
                 let (bounds, parent) = (slot.bounds, (number, index));
                 let child = if let Content::Leaf(reference) = slot.content { reference } else { NO_CHILD };
@@ -242,7 +240,7 @@ impl<B> Piece<B> {
         Ok(piece)
     }
 
-    /// Appends a subtree that was left out.
+    /// Appends a subtree and stores its number in the node that refers to it.
     fn join(&mut self, subtree: Subtree, piece: Self) {
         let (first_node, first_content) = (self.nodes.len() as u32, self.contents.len() as u32);
         let (parent, slot) = subtree.parent;

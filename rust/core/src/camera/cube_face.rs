@@ -11,8 +11,7 @@
 
 use glam::DVec3;
 
-/// Returns the direction through a point of a face: u to the right, v down, each from −1 to 1. It is not normalised;
-/// its longest component is ±1.
+/// Returns the direction through a point of a face: u to the right, v down, −1 to 1. Its longest component is ±1.
 #[inline]
 pub fn direction_from_face(face: u8, u: f64, v: f64) -> DVec3 {
     match face {
@@ -25,7 +24,7 @@ pub fn direction_from_face(face: u8, u: f64, v: f64) -> DVec3 {
     }
 }
 
-/// Returns the components of a vector to the right, downwards and outwards of a face.
+/// Returns the components of a vector along a face's right, down and outward directions.
 #[inline]
 pub fn along_face(face: u8, d: DVec3) -> (f64, f64, f64) {
     match face {
@@ -42,7 +41,7 @@ pub fn along_face(face: u8, d: DVec3) -> (f64, f64, f64) {
 /// components go to the alphabetically first axis.
 #[inline]
 pub fn face_from_direction(d: DVec3) -> (u8, f64, f64) {
-    // Tables instead of branches: the processor would mispredict branches on random directions.
+    // Tables instead of branches, which the processor would mispredict for random directions.
     let size = d.abs();
     let not_x = (size.x < size.y) | (size.x < size.z);
     let axis = usize::from(not_x) + usize::from(not_x & (size.y < size.z));

@@ -13,7 +13,7 @@ pub struct Rays {
     pub(super) pixel_size: f64,
 }
 
-/// Pixel width across its ray, as a linear function of the distance along the ray.
+/// Width of a pixel, perpendicular to its ray, as a linear function of the distance along the ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Footprint {
     /// Width at the ray's start, metres.
@@ -23,7 +23,7 @@ pub struct Footprint {
 }
 
 impl Footprint {
-    /// Returns the width across the ray at a distance, metres.
+    /// Returns the width at a distance, metres.
     #[inline]
     pub fn width_at(&self, distance: f32) -> f32 {
         self.width + self.spread * distance
@@ -31,17 +31,16 @@ impl Footprint {
 }
 
 impl Rays {
-    /// Returns the start (relative to the camera's position) and unit direction of the ray through image position (x,
-    /// y).
+    /// Returns the start, relative to the camera, and the unit direction of the ray through image position (x, y).
     #[inline]
     pub fn ray(&self, x: f64, y: f64) -> (DVec3, DVec3) {
         let start = self.start + self.start_steps[0] * x + self.start_steps[1] * y;
         (start, self.direction_at(x, y).normalize())
     }
 
-    /// Returns the footprint of a square of `scale` × `scale` pixels at image position (x, y). A pixel of size p at 1
-    /// m distance, seen at angle θ off the axis, covers the solid angle p² cos³ θ; the footprint is the square root of
-    /// that.
+    /// Returns the footprint of a square of `scale` × `scale` pixels at image position (x, y). A pixel of size p on the
+    /// image plane at distance 1, at an angle θ from the axis, covers the solid angle p² cos³ θ; the footprint per
+    /// metre of distance is its square root.
     #[inline]
     pub fn footprint(&self, x: f64, y: f64, scale: f64) -> Footprint {
         let size = (self.pixel_size * scale) as f32;
@@ -52,8 +51,8 @@ impl Rays {
         Footprint { width: 0.0, spread: size / (secant * secant.sqrt()) }
     }
 
-    /// Returns the minimum angle in radians between the rays of neighbouring pixels at image position (x, y). It falls
-    /// with cos² θ off the axis, because the tangent of θ grows with 1/cos² θ. For perspective views.
+    /// Returns the minimum angle in radians between the rays of neighbouring pixels at image position (x, y) of a
+    /// perspective view. At an angle θ from the axis it is proportional to cos² θ, the derivative of θ by tan θ.
     #[inline]
     pub fn pixel_angle(&self, x: f64, y: f64) -> f64 {
         self.pixel_size / self.direction_at(x, y).length_squared()

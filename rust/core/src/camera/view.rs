@@ -8,8 +8,8 @@ use super::rays::Rays;
 use crate::base::mapped::write_mapped;
 use crate::base::{Progress, Result, ensure, memory::room_for, number};
 
-/// Bounds of a view: tangents of half angles for a perspective view, metres for an orthographic view. They need not be
-/// symmetric; in the symmetric case left and down are negative.
+/// Bounds of a view: tangents of angles from the axis for a perspective view, metres for an orthographic view. They
+/// need not be symmetric; in a symmetric view left and down are negative.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fov {
     /// Leftmost x.
@@ -34,7 +34,7 @@ pub enum Projection {
 }
 
 impl Projection {
-    /// Returns the bounds; those of a cube face are tangents, too.
+    /// Returns the bounds; for a cube face they are tangents.
     pub(super) fn fov(self) -> Fov {
         match self {
             Self::Perspective(fov) | Self::Orthographic(fov) => fov,
@@ -64,7 +64,7 @@ impl Fov {
     }
 }
 
-/// A view: world position and orientation camera→world. It looks along −z, with y up.
+/// A view. In its own frame it looks along −z, with y up.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
     /// World position, metres.
@@ -83,7 +83,7 @@ pub struct Camera {
 pub const MAX_SIZE: u32 = 1 << 16;
 
 impl Camera {
-    /// Checks a view: the position is finite, the quaternion has length 1, and image and bounds are not empty.
+    /// Creates a view; fails unless the position is finite, the quaternion a unit, and image and bounds not empty.
     pub fn new(position: DVec3, orientation: DQuat, projection: Projection, width: u32, height: u32) -> Result<Self> {
         ensure!(position.is_finite(), "position", "three finite numbers", position);
         let is_unit = orientation.is_finite() && (orientation.length() - 1.0).abs() <= 1e-6;
@@ -111,7 +111,7 @@ impl Camera {
         }
     }
 
-    /// Returns all rays of the view; values that depend only on the camera are computed once.
+    /// Prepares all rays of the view.
     pub fn rays(&self) -> Rays {
         let (start, direction) = self.ray(0.0, 0.0);
         let (right, down) = (self.ray(1.0, 0.0), self.ray(0.0, 1.0));
@@ -138,19 +138,18 @@ impl Camera {
         })
     }
 
-    /// Fails if the rays of all pixels do not fit into memory.
+    /// Fails if the results of `pixel_rays` do not fit into memory.
     pub fn room_for_rays(&self) -> Result<()> {
         room_for(2 * size_of::<DVec3>() as u64 * u64::from(self.width) * u64::from(self.height))
     }
 
-    /// Writes `project` of many points; NaN for points behind the camera.
+    /// Projects many points; NaN for points behind the camera.
     pub fn project_all(&self, points: &[[f64; 3]], projected: &mut [[f64; 3]], progress: &Progress) -> Result<()> {
         let project = |point: &[f64; 3]| self.project((*point).into()).unwrap_or(DVec3::NAN).to_array();
         write_mapped(points, projected, project, progress)
     }
 
-    /// Returns the image position (x, y) of a world point in pixels, and its distance along the viewing axis; `None`
-    /// behind the camera.
+    /// Returns the image position (x, y) in pixels and the distance along the viewing axis; `None` behind the camera.
     pub fn project(&self, point: DVec3) -> Option<DVec3> {
         let offset = point - self.position;
         let axes = match self.projection {
@@ -171,8 +170,7 @@ impl Camera {
         (depth > 0.0).then(|| DVec3::new(s * f64::from(self.width), t * f64::from(self.height), depth))
     }
 
-    /// Returns the size of a pixel, the geometric mean of its sides: metres for parallel rays, otherwise tangent units
-    /// (metres at 1 m distance).
+    /// Returns the geometric mean of a pixel's sides: metres for parallel rays, otherwise tangents.
     pub fn pixel_size(&self) -> f64 {
         let pixels = f64::from(self.width) * f64::from(self.height);
         match self.projection {
@@ -181,16 +179,16 @@ impl Camera {
         }
     }
 
-    /// Returns a lower bound of the angle between neighbouring pixels, in radians: pixels at the view's corner are the
-    /// finest. Metres for parallel rays.
+    /// Returns a lower bound of the angle between neighbouring pixels, in radians; for parallel rays, of their distance
+    /// in metres. Pixels at the view's corner subtend the smallest angle.
     pub fn least_pixel_angle(&self) -> f64 {
         let (width, height) = (f64::from(self.width), f64::from(self.height));
         match self.projection {
             Projection::Perspective(fov) => {
                 let (x, y) = (fov.left.abs().max(fov.right.abs()), fov.down.abs().max(fov.up.abs()));
                 let narrowest = ((fov.right - fov.left) / width).min((fov.up - fov.down) / height);
-                // A small change of the tangent turns the ray by cos² θ times the change, with θ the angle off the
-                // axis; at the corner cos² θ = 1/(1 + x² + y²).
+                // At an angle θ from the axis, a small change of the tangent turns the ray by cos² θ times the change;
+                // at the corner cos² θ = 1/(1 + x² + y²).
                 narrowest / (1.0 + x * x + y * y)
             }
             Projection::Orthographic(fov) => ((fov.right - fov.left) / width).min((fov.up - fov.down) / height),
@@ -198,7 +196,7 @@ impl Camera {
         }
     }
 
-    /// Whether all rays are parallel.
+    /// Returns whether all rays are parallel.
     pub fn is_parallel(&self) -> bool {
         matches!(self.projection, Projection::Orthographic(_))
     }
@@ -229,12 +227,11 @@ mod tests {
             for (x, y) in [(0.0, 0.0), (24.0, 0.0), (3.25, 20.5), (12.0, 12.0)] {
                 let (start, direction) = camera.ray(x, y);
                 let (fast_start, fast_direction) = rays.ray(x, y);
-                // Some roundings of float64 at 1.
+                // A few float64 roundings of numbers near 1.
                 assert!((fast_start - start).length() < 1e-14);
                 assert!((fast_direction - direction.normalize()).length() < 1e-14);
                 let back = camera.project(position + start + direction * 5.0).unwrap();
-                // The world position at 10⁵ m is rounded to 1.5e-11 m. The division by 5 m and the 24 pixels per 1.5
-                // units scale this error.
+                // The world position at 10⁵ m is rounded to 1.5e-11 m, times 24 pixels per 1.5 units at 5 m.
                 assert!((back - DVec3::new(x, y, 5.0)).length() < 1e-9, "{projection:?} {back}");
                 assert!(camera.project(position + start - direction).is_none());
             }

@@ -48,7 +48,7 @@ impl EnvironmentMap {
         sum.as_vec3().to_array()
     }
 
-    /// Returns range and object of the texel that a direction hits; ∞ and −1 for missing channels.
+    /// Returns range and object number of the texel that a direction hits; ∞ and −1 if the map lacks the channel.
     pub fn surface(&self, direction: Vec3) -> (f32, i32) {
         let texel = texel_from_direction(direction.as_dvec3(), self.size) as usize;
         let range = self.range.as_ref().map_or(f32::INFINITY, |range| range[texel]);
@@ -56,8 +56,7 @@ impl EnvironmentMap {
         (range, object)
     }
 
-    /// Returns the maximum range of the texels around a direction; points farther away are hidden. Infinite if the map
-    /// has no range.
+    /// Returns the maximum range of the texels around a direction; points beyond are hidden. ∞ without ranges.
     pub fn farthest(&self, direction: Vec3) -> f32 {
         let Some(range) = &self.range else { return f32::INFINITY };
         let taps = Taps::new(direction.as_dvec3(), self.size);

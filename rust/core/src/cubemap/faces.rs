@@ -11,7 +11,7 @@ use crate::camera::{direction_from_face, face_from_direction};
 /// Maximum width of a face, texels: 6 × 16384² texels have numbers below 2³².
 pub const MAX_SIZE: u32 = 1 << 14;
 
-/// Returns the position, −1 to 1, of the centre of a row or column.
+/// Returns the centre of a row or column, −1 to 1.
 #[inline]
 pub fn center_of(index: u32, size: u32) -> f64 {
     (f64::from(index) + 0.5) * 2.0 / f64::from(size) - 1.0
@@ -77,8 +77,8 @@ pub(super) fn is_known<T: PartialEq + Copy>(value: T) -> bool {
     value == value
 }
 
-/// Writes, for each channel, the value that precedes all others in the order `before`, of some columns of rows that
-/// have `width` texels; NaN if all values are NaN.
+/// Writes, for each channel, the first value in the order `before` within some columns of rows of `width` texels: with
+/// `a < b` the minimum, with `a > b` the maximum. NaN if all values are NaN.
 #[inline(always)]
 pub(super) fn first_of_block<T: Real>(
     rows: &[T],

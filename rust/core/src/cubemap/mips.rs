@@ -1,7 +1,7 @@
 //! Next mipmap level of a cube map, with half as many texels across a face.
 //!
-//! A texel of the next level covers 2 × 2 texels or, if the size is odd, parts of 3 × 3. Means are weighted by the
-//! solid angles of the covered parts, so the mean over the sphere does not change.
+//! A texel of the next level covers 2 × 2 texels or, if the size is odd, up to 3 × 3 in part. Means are weighted by the
+//! solid angles of the covered parts, so that the mean over the sphere does not change.
 
 use rayon::prelude::*;
 
@@ -15,26 +15,26 @@ use crate::base::{Progress, Real, Result};
 pub enum Reduction {
     /// Mean weighted by solid angle.
     Mean,
-    /// Minimum of all texels that are covered, wholly or in part.
+    /// Minimum of all texels that are covered at least in part.
     Min,
-    /// Maximum of all texels that are covered, wholly or in part.
+    /// Maximum of all texels that are covered at least in part.
     Max,
 }
 
-/// Rows or columns covered by one row or column of the next level.
-struct Covered {
+/// Rows (or columns) that one row (or column) of the next level covers.
+struct Coverage {
     /// The first covered row or column.
     first: u32,
-    /// Covered interval of each of them.
+    /// The covered interval of each covered row or column.
     pieces: Vec<[f64; 2]>,
 }
 
-fn covered(index: u32, size: u32, next: u32) -> Covered {
+fn coverage(index: u32, size: u32, next: u32) -> Coverage {
     // Sizes are at most 16384, so products stay below 2³².
     let (first, last) = (index * size / next, ((index + 1) * size).div_ceil(next));
     let (low, high) = (edge_of(index, next), edge_of(index + 1, next));
     let pieces = (first..last).map(|i| [edge_of(i, size).max(low), edge_of(i + 1, size).min(high)]).collect();
-    Covered { first, pieces }
+    Coverage { first, pieces }
 }
 
 /// Returns the width of a face of the next level, texels.
@@ -54,18 +54,18 @@ pub fn next_level<T: Real>(
     if faces.channels == 0 {
         return Ok(());
     }
-    let plain = size.is_multiple_of(2) && faces.channels == 1;
+    let is_simple = size.is_multiple_of(2) && faces.channels == 1;
     let edges = edges(size);
-    let across: Vec<Covered> = (0..next).map(|column| covered(column, size, next)).collect();
+    let across: Vec<Coverage> = (0..next).map(|column| coverage(column, size, next)).collect();
     let row_length = next as usize * faces.channels;
-    // All six faces share the weights of a row.
+    // A task computes one row of all six faces, because they share its weights.
     let mut blocks_of_rows = out.chunks_exact_mut(row_length * next as usize);
     let mut face = || blocks_of_rows.next().unwrap_or_default().par_chunks_exact_mut(row_length);
     let rows = (face(), face(), face(), face(), face(), face()).into_par_iter();
     rows.zip(0..next).try_for_each(|((a, b, c, d, e, f), row)| {
-        let down = covered(row, size, next);
+        let down = coverage(row, size, next);
         let weights = match reduction {
-            Reduction::Mean if plain => pair_of_rows(row, size, &edges),
+            Reduction::Mean if is_simple => angles_of_two_rows(row, size, &edges),
             Reduction::Mean => weigh(&across, &down),
             _ => Vec::new(),
         };
@@ -73,7 +73,7 @@ pub fn next_level<T: Real>(
             let start = (face * size as usize + down.first as usize) * size as usize * faces.channels;
             let texels = &faces.values[start..][..down.pieces.len() * size as usize * faces.channels];
             match reduction {
-                _ if plain => halve(texels, &weights, reduction, out),
+                _ if is_simple => halve(texels, &weights, reduction, out),
                 Reduction::Mean => mean(texels, &across, &weights, &faces, out),
                 Reduction::Min => extremes(texels, &across, &faces, |a, b| a < b, out),
                 Reduction::Max => extremes(texels, &across, &faces, |a, b| a > b, out),
@@ -96,8 +96,8 @@ fn halve<T: Real>(texels: &[T], weights: &[f64], reduction: Reduction, out: &mut
     }
 }
 
-/// Returns the solid angles of the two rows of texels that a row of the next level covers, for an even size.
-fn pair_of_rows(row: u32, size: u32, edges: &[f64]) -> Vec<f64> {
+/// Returns the solid angles of the texels in the two rows that a row of the next level covers, for an even size.
+fn angles_of_two_rows(row: u32, size: u32, edges: &[f64]) -> Vec<f64> {
     let mut angles = vec![0.0; 2 * size as usize];
     let (above, below) = angles.split_at_mut(size as usize);
     row_of_angles(2 * row, size, edges, above);
@@ -105,8 +105,9 @@ fn pair_of_rows(row: u32, size: u32, edges: &[f64]) -> Vec<f64> {
     angles
 }
 
-/// Returns the weights of the covered parts of a row's texels, in the order in which they are read.
-fn weigh(across: &[Covered], down: &Covered) -> Vec<f64> {
+/// Returns the weights of the parts that each texel of a row of the next level covers, in the order of the texels, then
+/// of the rows and columns that it covers.
+fn weigh(across: &[Coverage], down: &Coverage) -> Vec<f64> {
     let mut weights = Vec::new();
     for column in across {
         let first = weights.len();
@@ -123,7 +124,7 @@ fn weigh(across: &[Covered], down: &Covered) -> Vec<f64> {
     weights
 }
 
-fn mean<T: Real>(texels: &[T], across: &[Covered], weights: &[f64], faces: &CubeFaces<'_, T>, out: &mut [T]) {
+fn mean<T: Real>(texels: &[T], across: &[Coverage], weights: &[f64], faces: &CubeFaces<'_, T>, out: &mut [T]) {
     let (channels, row_length) = (faces.channels, faces.size as usize * faces.channels);
     let mut next = 0;
     for (column, out) in across.iter().zip(out.chunks_exact_mut(channels)) {
@@ -144,7 +145,7 @@ fn mean<T: Real>(texels: &[T], across: &[Covered], weights: &[f64], faces: &Cube
 
 fn extremes<T: Real>(
     texels: &[T],
-    across: &[Covered],
+    across: &[Coverage],
     faces: &CubeFaces<'_, T>,
     before: impl Fn(T, T) -> bool,
     out: &mut [T],

@@ -1,5 +1,5 @@
 //! Cube maps: six square faces of texels. `lookup` reads values by direction and by cone; `layouts` converts cube maps
-//! to and from pictures without faces. This folder holds the code that both share, and mipmap levels.
+//! to and from equirectangular and octahedral pictures. This folder holds what both share, and mipmap levels.
 
 mod environment;
 mod faces;

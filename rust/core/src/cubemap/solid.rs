@@ -6,26 +6,25 @@ use super::faces::{check_out, check_size};
 use crate::base::simd::vectorized;
 use crate::base::{Progress, Result};
 
-/// Minimum face width, in texels, at which half the solid angles of all triangles are below 0.01 sr.
+/// Minimum face width, in texels, at which half the solid angle of each triangle is below 0.01 sr, as `fine_row` needs.
 const FINE_SIZE: u32 = 32;
 
-/// Returns the solid angle in steradians of a rectangle between two positions across and two down a face, all within
-/// −1 to 1.
+/// Returns the solid angle in steradians of the rectangle between two positions u across and two v down a face.
 ///
-/// The rectangle is two triangles (van Oosterom and Strackee, "The solid angle of a plane triangle", 1983, Eq. 8). The
-/// triple product of corners at distance 1 from the centre is Δu Δv, so small rectangles lose no digits. Four lengths,
-/// six products and some sums of positive numbers cause about 8 roundings of 1.1e-16.
+/// It is the sum of two triangles (van Oosterom and Strackee, "The solid angle of a plane triangle", 1983, Eq. 8). The
+/// triple product of three corners on the face's plane is Δu Δv, so small rectangles lose no digits. Four lengths, six
+/// products and some sums of positive numbers cause about 8 roundings of 1.1e-16.
 pub(super) fn solid_angle(u: [f64; 2], v: [f64; 2]) -> f64 {
     let [first, second] = tangents(u, v);
     2.0 * (first.atan() + second.atan())
 }
 
-/// Returns the tangents of half the solid angles of both triangles. Exchanging u and v gives the same bits.
+/// Returns the tangents of half the solid angles of both triangles. The sum has the same bits after exchanging u and v.
 #[inline(always)]
 fn tangents(u: [f64; 2], v: [f64; 2]) -> [f64; 2] {
     let (uu, vv) = (u[0] * u[1] + 1.0, v[0] * v[1] + 1.0);
     let (u0, u1, v0, v1) = (u[0] * u[0], u[1] * u[1], v[0] * v[0], v[1] * v[1]);
-    // Distances of the corners, in order: a the first, b beside it, c opposite, d below it.
+    // Distances of the corners: a at (u₀, v₀), b at (u₁, v₀), c at (u₁, v₁), d at (u₀, v₁).
     let (a, c) = ((u0 + v0 + 1.0).sqrt(), (u1 + v1 + 1.0).sqrt());
     let (b, d) = ((u1 + v0 + 1.0).sqrt(), (u0 + v1 + 1.0).sqrt());
     let product = (u[1] - u[0]) * (v[1] - v[0]);
@@ -36,8 +35,7 @@ fn tangents(u: [f64; 2], v: [f64; 2]) -> [f64; 2] {
     ]
 }
 
-/// Writes the solid angles of the rectangles between neighbouring positions across, all between the same two positions
-/// down. Each tangent must be below 0.01.
+/// Writes the solid angles of a row of rectangles between neighbouring edges. Each tangent must be below 0.01.
 #[inline(always)]
 fn fine_row(edges: &[f64], down: [f64; 2], out: &mut [f64]) {
     let (left, right) = (&edges[..out.len()], &edges[1..out.len() + 1]);
@@ -53,13 +51,12 @@ fn fine_row(edges: &[f64], down: [f64; 2], out: &mut [f64]) {
 
 vectorized! { fn fine_row_wide(edges: &[f64], down: [f64; 2], out: &mut [f64]) = fine_row; }
 
-/// Returns the positions of the lines between the columns of a face, including its first and last edge.
+/// Returns the positions of all column edges of a face, from −1 to 1.
 pub(super) fn edges(size: u32) -> Vec<f64> {
     (0..=size).map(|index| edge_of(index, size)).collect()
 }
 
-/// Writes the solid angles of a row of texels, given the lines between columns. Mirrored rows and columns are
-/// bit-equal.
+/// Writes the solid angles of a row of texels, given the column edges. Mirrored rows and columns have the same bits.
 pub(super) fn row_of_angles(row: u32, size: u32, edges: &[f64], out: &mut [f64]) {
     let near = row.min(size - 1 - row) as usize;
     let down = [edges[near], edges[near + 1]];
@@ -77,7 +74,7 @@ pub(super) fn row_of_angles(row: u32, size: u32, edges: &[f64], out: &mut [f64])
     }
 }
 
-/// Returns the position of the line before a row or column, −1 to 1.
+/// Returns the position of the edge before a row or column, −1 to 1.
 #[inline]
 pub(super) fn edge_of(index: u32, size: u32) -> f64 {
     f64::from(index) * 2.0 / f64::from(size) - 1.0

@@ -57,9 +57,9 @@ fn blocks_equal_single_lookups_bit_for_bit() {
                 let mean = (term(0) + term(1)) + (term(2) + term(3));
                 // At an outermost centre a weight may differ in its last digit, because blocks clamp it to 0..1.
                 assert!((out[i * channels + channel] - mean).abs() <= 4.0 * f64::EPSILON);
-                let chosen = (0..4).filter(|&k| taps.weight[k] > 1e-12).map(|k| faces.texel(taps.texel[k])[channel]);
+                let texels = (0..4).filter(|&k| taps.weight[k] > 1e-12).map(|k| faces.texel(taps.texel[k])[channel]);
                 let (low, high) =
-                    chosen.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
+                    texels.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
                 assert!(least[i * channels + channel] <= low && greatest[i * channels + channel] >= high);
             }
         }
@@ -67,7 +67,7 @@ fn blocks_equal_single_lookups_bit_for_bit() {
 }
 
 #[test]
-fn least_and_greatest_bracket_the_mean_and_infinity_stays_out_of_weightless_texels() {
+fn minimum_and_maximum_bracket_the_mean_and_texels_without_weight_do_not_count() {
     let size = 4;
     let values: Vec<f32> = (0..96).map(|i| if i == 5 { f32::INFINITY } else { i as f32 }).collect();
     let faces = CubeFaces::new(&values, size, 1).unwrap();
@@ -114,10 +114,10 @@ fn a_table_of_texels_beyond_edges_changes_no_bit() {
     let values: Vec<f64> = (0..6 * 36 * 5).map(|i| uniform(2, 2, i)).collect();
     let faces = CubeFaces::new(&values, size, 5).unwrap();
     let directions = random_directions(64, 4);
-    let [mut alone, mut tabled] = [vec![0.0; 64 * 5], vec![0.0; 64 * 5]];
-    lookup::cube_sampler(faces, TexelFilter::Cubic, 0).unwrap().sample(&directions, &mut alone);
-    lookup::cube_sampler(faces, TexelFilter::Cubic, 1000).unwrap().sample(&directions, &mut tabled);
-    assert_eq!(alone, tabled);
+    let [mut without_table, mut with_table] = [vec![0.0; 64 * 5], vec![0.0; 64 * 5]];
+    lookup::cube_sampler(faces, TexelFilter::Cubic, 0).unwrap().sample(&directions, &mut without_table);
+    lookup::cube_sampler(faces, TexelFilter::Cubic, 1000).unwrap().sample(&directions, &mut with_table);
+    assert_eq!(without_table, with_table);
 }
 
 #[test]
@@ -185,7 +185,7 @@ proptest! {
     }
 }
 
-/// Angle between a direction and a texel: the minimum angle to the texel's four sides, found by halving intervals.
+/// Returns the angle between a direction and a texel: 0 inside it, otherwise the minimum angle to its four sides.
 fn angle_to_texel(d: DVec3, texel: u32, size: u32) -> f64 {
     if texel_from_direction(d, size) == texel {
         return 0.0;
@@ -257,16 +257,16 @@ fn all_layouts_find_every_texel_by_its_centre() {
 }
 
 #[test]
-fn texels_beyond_the_edges_of_flat_layouts_lie_where_directions_go_on() {
+fn flat_layouts_continue_beyond_their_edges() {
     for (layout, height, width) in [(Layout::Equirectangular, 8, 16), (Layout::Octahedral, 8, 8)] {
         let grid = Grid::new(layout, height, width).unwrap();
         for (row, column) in
             [(-1, 3), (8, 5), (-2, 0), (9, 7), (2, -1), (5, -2), (3, width.into()), (6, width as i64 + 1)]
         {
-            let number = grid.wrapped(row, column) as u32;
+            let number = grid.wrap(row, column) as u32;
             let center = |number: u32| DVec2::new((number % width).into(), (number / width).into()) + 0.5;
             let inside = grid.direction(center(number)).normalize();
-            // Both formulas are evaluated beyond the edge: latitudes beyond 90°, and folds that are folded back.
+            // Both formulas also hold beyond the edge: latitudes beyond 90°, and folds that are folded back.
             let p = DVec2::new(column as f64, row as f64) + 0.5;
             let beyond = match layout {
                 Layout::Equirectangular => grid.direction(p),

@@ -1,4 +1,4 @@
-//! Arrays as bytes, with the descriptions that glTF readers need.
+//! Arrays as bytes, with their descriptions for glTF.
 
 use bytemuck::Pod;
 use glam::{IVec3, Vec3};
@@ -14,19 +14,19 @@ const UNSIGNED_SHORT: u32 = 5123;
 const UNSIGNED_INT: u32 = 5125;
 const FLOAT: u32 = 5126;
 
-/// Compression level: meshoptimizer's default, used only by version 1 of the codec.
+/// Compression level: meshoptimizer's default. Only version 1 of the codec uses it.
 const CODEC_LEVEL: i32 = 2;
 /// `EXT_meshopt_compression` requires version 0.
 const CODEC_VERSION: Option<i32> = Some(0);
 
-/// Maximum number of vertices for 16-bit corners: index 65535 restarts strips in some graphics APIs.
+/// Maximum number of vertices for 16-bit corners. Some graphics APIs reserve index 65535 for primitive restart.
 const MAX_SHORT: usize = u16::MAX as usize;
 
 /// Semantic and type of an array.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Attribute {
     Position,
-    /// Bytes padded to four, which `KHR_mesh_quantization` allows.
+    /// Three bytes, padded to four, as `KHR_mesh_quantization` allows.
     ShortNormal,
     Normal,
     Uv,
@@ -48,7 +48,7 @@ pub(super) struct Layout {
     pub normalized: bool,
     /// Bytes per row.
     pub stride: usize,
-    /// Filter with which the array is compressed.
+    /// Filter of `EXT_meshopt_compression`.
     pub filter: &'static str,
 }
 
@@ -93,15 +93,14 @@ impl Stream {
         Ok(Self { attribute, count: rows.len(), bytes, extent: None, error: 0.0 })
     }
 
-    /// Adds the array to statistics.
-    pub fn count_in(&self, statistics: &mut Statistics) {
+    pub fn add_to(&self, statistics: &mut Statistics) {
         let layout = self.attribute.layout();
         statistics.count(layout.kind, self.bytes.len());
         statistics.raw_bytes += (self.count * layout.stride) as u64;
         statistics.position_error = statistics.position_error.max(self.error);
     }
 
-    /// Encodes corners of triangles between `vertex_count` vertices.
+    /// Encodes the corners of triangles as indices below `vertex_count`.
     fn corners(corners: &[u32], vertex_count: usize, compressed: bool) -> Result<Self> {
         let short = vertex_count <= MAX_SHORT;
         let bytes = match (compressed, short) {
@@ -143,10 +142,10 @@ where
     [f32; N]: Pod,
 {
     if compressed {
-        let packed: Vec<[u32; N]> = points.iter().map(|point| point.map(|number| grid.packed(number))).collect();
+        let packed: Vec<[u32; N]> = points.iter().map(|point| point.map(|steps| grid.pack(steps))).collect();
         return Stream::rows(attribute, &packed, true);
     }
-    let values: Vec<[f32; N]> = points.iter().map(|point| point.map(|number| grid.value(number))).collect();
+    let values: Vec<[f32; N]> = points.iter().map(|point| point.map(|steps| grid.value(steps))).collect();
     Stream::rows(attribute, &values, false)
 }
 
@@ -156,7 +155,7 @@ fn extent(points: &[[i32; 3]]) -> [[i32; 3]; 2] {
     points.fold([IVec3::MAX, IVec3::MIN], extend).map(|corner| corner.to_array())
 }
 
-/// Returns the unit normals that the OCTAHEDRAL filter decodes from its coordinates.
+/// Decodes octahedral coordinates to unit normals, as the OCTAHEDRAL filter does.
 fn unit_normals(coordinates: &[[i8; 4]]) -> Vec<[f32; 3]> {
     let mut coordinates = coordinates.to_vec();
     decode_filter_oct(&mut coordinates);

@@ -1,4 +1,4 @@
-//! Required resolution of a scene's textures, which decides how small their files may be.
+//! Resolution of a scene's textures as seen by the user, which decides how far their images may be reduced.
 
 use std::collections::HashMap;
 use std::ops::Range;
@@ -16,14 +16,13 @@ use crate::scene::{Material, Mesh, Scene};
 /// Number of faces per task.
 const TILE: usize = 1 << 14;
 
-/// Returns, for each texture, the minimum number of texels per radian over the faces that show it; infinite if none
-/// does. A face counts with its texels per metre in the direction in which they are densest, and with the distance of
-/// its object: `distances` has the minimum distance of each object in metres, and last that of faces without an
-/// object.
+/// Returns, for each texture, the minimum number of texels per radian over the faces that show it; ∞ if none does. A
+/// face has its texels per metre, in the direction in which they are densest, times the distance of its object.
+/// `distances` has the minimum distance of each object in metres; its last entry is for faces without an object.
 ///
-/// A mesh with several placements is read once. Non-uniformly scaled placements count with their maximum scale.
+/// A mesh with several placements is read once. A placement with a non-uniform scale counts with its maximum scale.
 pub fn texels_per_radian(scene: &Scene, distances: &[f64], progress: &Progress) -> Result<Vec<f64>> {
-    ensure!(!distances.is_empty(), "distances", "a distance of faces without an object", "none");
+    ensure!(!distances.is_empty(), "distances", "at least the distance of faces without an object", "none");
     if let Some(wrong) = distances.iter().find(|distance| distance.is_nan() || **distance < 0.0) {
         return Err(Error::value("distances", "distances of at least 0", wrong));
     }
@@ -43,13 +42,13 @@ pub fn texels_per_radian(scene: &Scene, distances: &[f64], progress: &Progress) 
 /// A mesh with textures, and the distances of its placements.
 struct View<'a> {
     mesh: &'a Mesh,
-    /// Minimum distance over placements with a single object, divided by their scale.
+    /// Minimum of distance / scale over the placements that are one object.
     distance: f64,
-    /// Maximum scale over placements whose faces have their own objects; 0 if there are none.
+    /// Maximum scale of the placements whose faces belong to several objects; 0 if there are none.
     scale: f64,
 }
 
-/// Returns the textured meshes of a scene that are seen from a finite distance.
+/// Returns the textured meshes of a scene that are at a finite distance.
 fn views<'a>(scene: &'a Scene, distances: &[f64]) -> Vec<View<'a>> {
     let mut indices: HashMap<*const Mesh, usize> = HashMap::new();
     let mut views: Vec<View<'a>> = Vec::new();
@@ -78,8 +77,8 @@ fn textures_of(scene: &Scene, material: i32) -> impl Iterator<Item = usize> {
     by_number(&scene.materials, material).into_iter().flat_map(Material::textures).map(|texture| texture as usize)
 }
 
-/// Bits of the minimum number of texels found so far for each texture. They sort like the numbers, because none is
-/// negative.
+/// Minimum number of texels per radian found so far for each texture, as float bits. The bits sort like the numbers,
+/// because no number is negative.
 struct MinTexels(Vec<AtomicU64>);
 
 impl MinTexels {
@@ -120,9 +119,11 @@ impl MinTexels {
     }
 }
 
-/// Returns the texels per metre of a face in the direction in which they are densest: the maximum singular value of
-/// the map from its plane to the image, J = T E⁻¹ with the edges E and T of the face there. JᵀJ has the eigenvalues of
-/// A B⁻¹, with A = TᵀT and B = EᵀE. `None` for faces without area; 0 if texture coordinates are not finite.
+/// Returns the texels per metre of a face in the direction in which they are densest; `None` for faces without area; 0
+/// if texture coordinates are not finite.
+///
+/// This is the maximum singular value of the map J = T E⁻¹ from the face's plane to the image. E and T have two edges
+/// of the face as columns, in the plane and in the image. JᵀJ has the eigenvalues of A B⁻¹ with A = TᵀT, B = EᵀE.
 fn texels_per_metre(corners: [DVec3; 3], texels: [[f64; 2]; 3]) -> Option<f64> {
     let [p, q] = [corners[1] - corners[0], corners[2] - corners[0]];
     let [s, t] = [1, 2].map(|i| [texels[i][0] - texels[0][0], texels[i][1] - texels[0][1]]);
@@ -151,8 +152,7 @@ mod tests {
 
     const FACES: u64 = 40;
 
-    /// Random triangles with two textured materials, one of them emissive, and one without; with their own objects or
-    /// none.
+    /// Random triangles with two textured materials, one of them emissive, and one without a texture.
     fn mesh(seed: u64, objects: FaceMap) -> Arc<Mesh> {
         let number = |cell: u64, row: u64| (4.0 * uniform(seed, cell, row) - 2.0) as f32;
         let positions = (0..3 * FACES).map(|row| [0, 1, 2].map(|cell| number(cell, row))).collect();
@@ -181,8 +181,8 @@ mod tests {
         Scene::new(DVec3::ZERO, standing, moving, Arc::new(materials), Arc::new(textures)).unwrap()
     }
 
-    /// Computes the definition face by face: the image's fastest change over all directions in the face's plane.
-    fn one_by_one(scene: &Scene, distances: &[f64]) -> Vec<f64> {
+    /// Computes the definition by brute force: the image's fastest change over many directions in each face's plane.
+    fn brute_force(scene: &Scene, distances: &[f64]) -> Vec<f64> {
         let mut least = vec![f64::INFINITY; scene.textures.len()];
         for instance in scene.instances() {
             let mesh = &instance.mesh;
@@ -204,8 +204,8 @@ mod tests {
                         texels / (a * p + b * q).length()
                     });
                     let object = usize::try_from(instance.object_of(face)).unwrap_or(distances.len() - 1);
-                    let seen = fastest.fold(0.0, f64::max) * distances[object];
-                    least[texture as usize] = least[texture as usize].min(seen);
+                    let texels_per_radian = fastest.fold(0.0, f64::max) * distances[object];
+                    least[texture as usize] = least[texture as usize].min(texels_per_radian);
                 }
             }
         }
@@ -218,9 +218,8 @@ mod tests {
         let far = f64::INFINITY;
         for distances in [[3.0, 5.0, 2.0, 9.0, 4.0, 7.0], [far, 50.0, 20.0, far, far, 30.0], [0.0; 6]] {
             let found = texels_per_radian(&scene, &distances, &Progress::new()).unwrap();
-            let expected = one_by_one(&scene, &distances);
-            // The nearest of 20,000 directions is within 2e-4 of the fastest one, but edges of slivers are almost
-            // parallel.
+            let expected = brute_force(&scene, &distances);
+            // One of 20,000 directions is within 2e-4 rad of the fastest; slivers have almost parallel edges.
             let is_close = |(a, b): (&f64, &f64)| a == b || (b <= a && (a - b) / a < 1e-3);
             assert!(found.iter().zip(&expected).all(is_close), "{found:?}, expected {expected:?}");
             assert_eq!(found[2], far, "nothing shows this texture");
@@ -229,7 +228,7 @@ mod tests {
     }
 
     #[test]
-    fn stretched_axes_count_by_their_finest_direction() {
+    fn density_is_that_of_the_densest_direction() {
         let corners = [DVec3::ZERO, DVec3::new(4.0, 0.0, 0.0), DVec3::new(0.0, 1.0, 0.0)];
         let density = |texels| texels_per_metre(corners, texels).unwrap();
         assert!((density([[5.0, 0.0], [13.0, 0.0], [5.0, 6.0]]) - 6.0).abs() < 1e-12);

@@ -1,4 +1,4 @@
-//! GLB writer: buffer views, accessors, meshes and nodes, and the bytes that they describe.
+//! GLB writer: buffer views, accessors, meshes, nodes and binary data.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -22,7 +22,7 @@ const ELEMENT_ARRAY_BUFFER: u32 = 34963;
 const MAGIC: &[u8; 4] = b"glTF";
 const VERSION: u32 = 2;
 
-/// Bytes of a node's text, twice as parts of the file.
+/// Memory for a node while the document is written, bytes.
 const NODE_BYTES: usize = 1 << 10;
 
 struct View {
@@ -45,13 +45,13 @@ pub(super) struct Document {
     accessors: Vec<Value>,
     meshes: Vec<Value>,
     nodes: Vec<Value>,
-    /// Material numbers in the file, by material and whether it has its textures.
+    /// Material numbers in the file, by (material, whether it is textured).
     materials: BTreeMap<(i32, bool), usize>,
     extensions: BTreeSet<&'static str>,
 }
 
 impl Document {
-    /// Creates an empty document with room for this many bytes of arrays.
+    /// Creates an empty document with capacity for this many bytes of arrays.
     pub fn with_room(compressed: bool, bytes: usize) -> Result<Self> {
         Ok(Self { compressed, chunk: try_with_capacity(bytes)?, ..Self::default() })
     }
@@ -138,7 +138,7 @@ impl Document {
         self.accessors.len() - 1
     }
 
-    /// Returns the file's bytes. All nodes are children of the first one, which translates by the scene's origin.
+    /// Returns the file's bytes. Node 0 is the parent of all others and translates by the scene's origin.
     pub fn encode(mut self, origin: DVec3, surfaces: &Surfaces) -> Result<Vec<u8>> {
         let mut materials: Vec<(i32, bool)> = self.materials.keys().copied().collect();
         materials.sort_by_key(|key| self.materials[key]);
@@ -173,15 +173,15 @@ impl Document {
             ("extensionsUsed", used),
             ("extensionsRequired", required),
         ];
-        // glTF does not allow empty lists.
+        // glTF forbids empty lists.
         for (name, list) in lists.into_iter().chain(surfaces).filter(|(_, list)| !list.is_empty()) {
             document[name] = Value::Array(list);
         }
         file(&document.to_string(), &self.chunk)
     }
 
-    /// Returns the document's buffers and views. Compressed views also refer to a fallback buffer without bytes, which
-    /// the extension demands for the decompressed arrays.
+    /// Returns the document's buffers and views. Compressed views also refer to a fallback buffer without data, which
+    /// the extension requires as a place for the decompressed arrays.
     fn buffers(&self) -> (Vec<Value>, Vec<Value>) {
         let has_chunk = usize::from(!self.chunk.is_empty());
         let fallback_number = has_chunk + self.external.len();
@@ -223,7 +223,7 @@ fn buffer_range(buffer: usize, offset: usize, length: usize) -> Value {
     json!({ "buffer": buffer, "byteOffset": offset, "byteLength": length })
 }
 
-/// Completes the extension object of a compressed view of `count` rows.
+/// Completes the extension object of a compressed view with `count` rows.
 fn compression(mut entry: Value, layout: &Layout, count: usize) -> Value {
     entry["byteStride"] = json!(layout.stride);
     entry["count"] = json!(count);
@@ -234,7 +234,7 @@ fn compression(mut entry: Value, layout: &Layout, count: usize) -> Value {
     entry
 }
 
-/// Assembles a GLB from a document and a chunk of bytes.
+/// Assembles a GLB from its JSON document and its binary chunk.
 fn file(document: &str, chunk: &[u8]) -> Result<Vec<u8>> {
     let mut text = document.as_bytes().to_vec();
     text.resize(text.len().next_multiple_of(ALIGNMENT), b' ');

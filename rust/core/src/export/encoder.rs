@@ -1,4 +1,4 @@
-//! Encoding of a scene as files.
+//! Encoding of a scene as GLB files.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -39,17 +39,16 @@ pub struct Export {
 #[derive(Debug)]
 pub struct SharedMesh {
     encoded: EncodedMesh,
-    /// Groups with placements of the mesh, ascending.
+    /// Groups that contain placements of the mesh, ascending.
     pub groups: Vec<u16>,
 }
 
-/// A file.
+/// A GLB file.
 #[derive(Clone, Debug)]
 pub struct Glb {
     /// Bytes of the file.
     pub bytes: Vec<u8>,
-    /// Counts and bytes of its content. Shared meshes in external buffers are counted there, except for drawn
-    /// triangles.
+    /// Statistics of the file. For shared meshes in external buffers they include only the drawn triangles.
     pub statistics: Statistics,
 }
 
@@ -59,7 +58,7 @@ impl SharedMesh {
         self.encoded.bytes()
     }
 
-    /// Returns sizes, counts and errors; its triangles count as drawn only in the files that place it.
+    /// Returns sizes, counts and errors. Drawn triangles are counted in the files that place the mesh.
     pub fn statistics(&self) -> &Statistics {
         &self.encoded.statistics
     }
@@ -68,9 +67,9 @@ impl SharedMesh {
 impl Export {
     /// Divides a scene and encodes the meshes with several placements.
     ///
-    /// `groups` has the group of each object, and last that of faces without an object; all are below `count`. `names`
-    /// are the objects' names; those of moving objects become node names. `images` are the URIs of the images of all
-    /// textures, `None` to omit a texture.
+    /// `groups` has the group of each object; its last entry is for faces without an object. Groups are below `count`.
+    /// `names` are the objects' names, which become node names of moving objects. `images` has the URI of each
+    /// texture's image, `None` to omit the texture.
     pub fn new(
         scene: &Scene,
         groups: &[u16],
@@ -95,15 +94,14 @@ impl Export {
         Ok(Self { scene: scene.clone(), settings, names, surfaces, plan, shared })
     }
 
-    /// Returns the file of a group. `uris` names the buffers of shared meshes; meshes without a URI are written into
-    /// the file.
+    /// Returns the file of a group. `uris` has the URI of each shared mesh's buffer, or none to write it into the file.
     pub fn glb(&self, group: u16, uris: &[Option<String>], progress: &Progress) -> Result<Glb> {
         let Some(contents) = self.plan.groups.get(usize::from(group)) else {
             return Err(Error::value("group", format!("a number below {}", self.plan.groups.len()), group));
         };
         let count = self.shared.len();
         ensure!(uris.len() == count, "uris", format!("a URI or none for each of {count} shared meshes"), uris.len());
-        let (merged, moving) = self.encode(contents, progress)?;
+        let (merged, moving) = self.encode_unshared(contents, progress)?;
         let embedded = self.shared.iter().zip(uris).filter(|(_, uri)| uri.is_none()).map(|(shared, _)| &shared.encoded);
         let meshes = moving.iter().flatten().chain([&merged]).chain(embedded);
         let bytes = meshes.map(EncodedMesh::byte_count).sum::<usize>() + contents.placed.len() * PLACEMENT_BYTES;
@@ -116,8 +114,12 @@ impl Export {
         file.finish()
     }
 
-    /// Encodes the merged mesh of a group, and the meshes of its moving objects that are not shared.
-    fn encode(&self, contents: &Contents, progress: &Progress) -> Result<(EncodedMesh, Vec<Option<EncodedMesh>>)> {
+    /// Encodes the merged mesh of a group, and the meshes of its moving objects; `None` for shared meshes.
+    fn encode_unshared(
+        &self,
+        contents: &Contents,
+        progress: &Progress,
+    ) -> Result<(EncodedMesh, Vec<Option<EncodedMesh>>)> {
         let merged: Vec<Part<'_>> = contents
             .merged
             .iter()
@@ -135,7 +137,7 @@ impl Export {
                 return Ok(None);
             }
             let part = self.mesh_part(faces);
-            // Placements increase errors by this factor.
+            // A placement multiplies errors by at most this factor.
             let stretch = greatest_stretch(&self.scene.instance(faces.instance).to_scene.matrix3);
             let grid = Grid::new(self.settings.step / stretch, f64::from(part.mesh.bounds().reach()));
             let mut encoded = encode(&[part], grid)?;
@@ -171,7 +173,7 @@ impl FileWriter<'_> {
         }
     }
 
-    /// Adds the shared meshes that a group needs; returns their numbers in the file. Meshes without faces get none.
+    /// Adds the shared meshes of a group, except those without faces; returns their numbers in the file.
     fn add_shared(&mut self, contents: &Contents, uris: &[Option<String>]) -> BTreeMap<usize, usize> {
         let placed = contents.placed.iter().map(|&(shared, _)| shared);
         let moving = contents.moving.iter().filter_map(|moving| moving.shared);
@@ -204,7 +206,7 @@ impl FileWriter<'_> {
                     self.progress.check()?;
                 }
                 let to_scene = &self.export.scene.instance(instance).to_scene;
-                // Viewers flip the winding of mirrored nodes, but not of mirrored placements of an instanced mesh.
+                // Viewers flip the winding of mirrored nodes, but not of mirrored instances of an instanced mesh.
                 let trs = Some(Trs::decompose(to_scene)).filter(|_| self.export.settings.compressed && !plan.flipped);
                 let error = trs.map(|trs| trs.error(to_scene, &bounds));
                 match trs.zip(error).filter(|&(_, error)| error <= self.export.settings.step / 2.0) {
@@ -217,7 +219,7 @@ impl FileWriter<'_> {
             }
             if !placements.is_empty() {
                 let streams = placement_streams(&placements)?;
-                streams.iter().for_each(|stream| stream.count_in(&mut self.statistics));
+                streams.iter().for_each(|stream| stream.add_to(&mut self.statistics));
                 self.document.add_placements(mesh, &streams);
             }
         }
@@ -262,7 +264,7 @@ impl FileWriter<'_> {
 }
 
 fn placement_streams(placements: &[Trs]) -> Result<[Stream; 3]> {
-    // The arrays, and room for the encoder.
+    // Memory for the arrays and for the encoder.
     room_for_values::<[[f32; 10]; 3]>(placements.len())?;
     let translations: Vec<[f32; 3]> = placements.iter().map(|trs| trs.translation).collect();
     let rotations: Vec<[f32; 4]> = placements.iter().map(|trs| trs.rotation).collect();

@@ -1,4 +1,4 @@
-//! Grouping of faces into primitives: faces of one material whose vertices have the same attributes.
+//! Grouping of faces into primitives. The faces of a primitive have one material and the same vertex attributes.
 
 use std::collections::BTreeMap;
 
@@ -12,8 +12,8 @@ use crate::scene::{Instance, Mesh};
 /// Number of faces per task.
 const TILE: usize = 1 << 16;
 
-/// Maximum number of faces per primitive. Larger ones are divided, so that several threads share the work, cancelling
-/// takes less than a second, and all viewers can draw the meshes.
+/// Maximum number of faces per primitive. Larger primitives are divided so that several threads share the work,
+/// cancelling takes less than a second, and all viewers can draw the meshes.
 const MAX_FACES: usize = 1 << 18;
 
 /// Material and attributes of a primitive.
@@ -34,7 +34,7 @@ pub(super) struct Key {
 pub(super) enum Frame<'a> {
     /// Scene coordinates; the instance places the vertices.
     Scene(&'a Instance),
-    /// Mesh coordinates. Faces are flipped for a mirrored placement, which flips them back.
+    /// Mesh coordinates. For a mirrored placement faces are written `flipped`, and the placement flips them back.
     Own { flipped: bool },
 }
 
@@ -71,7 +71,7 @@ pub(super) fn primitives<'a>(
     progress: &Progress,
 ) -> Result<Vec<(Key, Vec<Piece<'a>>)>> {
     let by_part: Vec<BTreeMap<Key, Vec<u32>>> =
-        parts.par_iter().map(|part| by_key(part, surfaces, progress)).collect::<Result<_>>()?;
+        parts.par_iter().map(|part| group_by_key(part, surfaces, progress)).collect::<Result<_>>()?;
     let mut by_primitive: BTreeMap<Key, Vec<Piece<'a>>> = BTreeMap::new();
     for (part, by_key) in parts.iter().zip(by_part) {
         for (key, faces) in by_key {
@@ -83,7 +83,7 @@ pub(super) fn primitives<'a>(
 }
 
 /// Groups the faces of a part by primitive.
-fn by_key(part: &Part<'_>, surfaces: &Surfaces, progress: &Progress) -> Result<BTreeMap<Key, Vec<u32>>> {
+fn group_by_key(part: &Part<'_>, surfaces: &Surfaces, progress: &Progress) -> Result<BTreeMap<Key, Vec<u32>>> {
     let tiles = in_ranges(part.count(), TILE, |indices| {
         progress.check()?;
         let faces = indices.map(|index| part.face(index));

@@ -1,7 +1,7 @@
 //! Quantised vertices and faces of a primitive.
 //!
-//! Normals are rounded to 8 bits by octahedral coordinates: Meyer, Süßmuth, Sußner, Stamminger, Greiner: On
-//! floating-point normal vectors, 2010.
+//! Normals are stored as octahedral coordinates of 8 bits (Meyer, Süßmuth, Sußner, Stamminger, Greiner: On
+//! floating-point normal vectors, 2010).
 
 use std::sync::LazyLock;
 
@@ -15,15 +15,15 @@ use crate::base::{Progress, Result};
 use crate::scene::flipped;
 use crate::scene::srgb::linear_from_srgb;
 
-/// Maximum angle in degrees between a normal and its decoded value. The angle is largest at a corner of a cell of the
-/// octahedral grid; the corners of all cells are at most 1.273° from the value that the cell's centre decodes to.
+/// Maximum angle in degrees between a normal and its decoded value. It is largest at the corners of a cell of the
+/// octahedral grid, which are at most 1.273° from the decoded centre of their cell.
 pub const NORMAL_ERROR_DEG: f64 = 1.28;
 
 const NORMAL_BITS: i32 = 8;
 
 const WHITE: [u16; 4] = [u16::MAX; 4];
 
-/// Linear 16-bit values of the 256 sRGB codes. They are at least 20 apart, so all codes are recovered.
+/// Linear 16-bit values of the 256 sRGB codes. They are at least 20 apart, so a reader recovers all codes.
 static LINEAR: LazyLock<[u16; 256]> =
     LazyLock::new(|| linear_from_srgb().map(|linear| (f64::from(linear) * 65535.0).round() as u16));
 
@@ -34,16 +34,16 @@ pub(super) struct Primitive {
     pub positions: Vec<[i32; 3]>,
     /// Octahedral coordinates as the OCTAHEDRAL filter stores them.
     pub normals: Option<Vec<[i8; 4]>>,
-    /// Texture coordinates as points of a grid, v downwards, and the grid.
+    /// Texture coordinates, v downwards, as points of the grid next to them.
     pub uvs: Option<(Vec<[i32; 2]>, Grid)>,
     /// Linear colours.
     pub colors: Option<Vec<[u16; 4]>>,
     pub faces: Vec<[u32; 3]>,
-    /// Number of omitted faces without area on the grid.
+    /// Number of faces that are left out because they have no area on the grid.
     pub dropped: usize,
 }
 
-/// Quantises the faces of some pieces to a primitive.
+/// Quantises the faces of pieces to one primitive.
 pub(super) fn gather(
     key: Key,
     pieces: &[Piece<'_>],
@@ -112,11 +112,11 @@ impl Gatherer {
         }
         if let Some(colors) = mesh.colors.as_deref().filter(|_| self.key.colored) {
             let linear = &*LINEAR;
-            let stored = |[r, g, b, a]: [u8; 4]| {
+            let quantize = |[r, g, b, a]: [u8; 4]| {
                 let [r, g, b] = [r, g, b].map(|code| linear[usize::from(code)]);
                 [r, g, b, u16::from(a) * 257]
             };
-            self.colors.extend(numbering.vertices().map(|vertex| stored(colors[vertex as usize])));
+            self.colors.extend(numbering.vertices().map(|vertex| quantize(colors[vertex as usize])));
         }
     }
 
@@ -133,9 +133,9 @@ impl Gatherer {
         self.faces.push(face);
     }
 
-    /// Orients a face to the side of its normals, and gives corners without a normal the face's own. Files order
-    /// corners inconsistently; nearfar lights a face from the side of its normals, but glTF viewers from the side on
-    /// which its corners are counter-clockwise.
+    /// Orders the corners of a face counter-clockwise as seen from the side of its normals, and gives corners without a
+    /// normal the face's normal. Input files order corners inconsistently. nearfar lights a face on the side of its
+    /// normals, glTF viewers on the side from which its corners are counter-clockwise.
     fn orient(&mut self, face: [u32; 3], mut face_normal: DVec3) -> [u32; 3] {
         let normal = |&[x, y, z, _]: &[f32; 4]| Vec3::new(x, y, z);
         let normals = face.map(|vertex| normal(&self.normals[vertex as usize]));
@@ -174,15 +174,15 @@ impl Gatherer {
     fn finish(self, surfaces: &Surfaces) -> Primitive {
         let Self { key, grid, positions, normals, uvs, colors, faces, dropped } = self;
         let normals = key.lit.then(|| meshopt::encode_filter_oct(&normals, NORMAL_BITS));
-        let uvs = key.textured.then(|| rounded_uvs(&uvs, key.material, surfaces));
-        // White is the neutral colour, which merged meshes have where a part has no colours.
+        let uvs = key.textured.then(|| quantize_uvs(&uvs, key.material, surfaces));
+        // White changes nothing, so colours that are all white are left out.
         let colors = Some(colors).filter(|colors| colors.iter().any(|&color| color != WHITE));
         Primitive { grid, positions, normals, uvs, colors, faces, dropped }
     }
 }
 
-/// Rounds texture coordinates, v downwards, to the grid of a material; 0 if not finite, as `Texture` reads them.
-fn rounded_uvs(uvs: &[[f32; 2]], material: i32, surfaces: &Surfaces) -> (Vec<[i32; 2]>, Grid) {
+/// Rounds texture coordinates to a material's grid, v downwards. Like `Texture`, it reads non-finite coordinates as 0.
+fn quantize_uvs(uvs: &[[f32; 2]], material: i32, surfaces: &Surfaces) -> (Vec<[i32; 2]>, Grid) {
     let finite = |x: f64| if x.is_finite() { x } else { 0.0 };
     let downwards = |&[u, v]: &[f32; 2]| [finite(f64::from(u)), finite(1.0 - f64::from(v))];
     let reach = uvs.iter().flat_map(downwards).fold(0.0, |reach: f64, x| reach.max(x.abs()));
@@ -203,7 +203,7 @@ mod tests {
 
     #[test]
     fn normals_are_within_their_bound() {
-        // Random directions, and directions about the axes and diagonals, where octahedral cells differ most.
+        // Random directions, and directions near the axes, where octahedral cells differ most.
         let random = |i: u64| {
             let (z, turn) = (2.0 * uniform(1, 0, i) - 1.0, std::f64::consts::TAU * uniform(1, 1, i));
             let across = (1.0 - z * z).sqrt();

@@ -1,26 +1,26 @@
-//! Quantisation grid of positions and texture coordinates. Its points are multiples of a power of two, which float32
-//! and the EXPONENTIAL filter of `EXT_meshopt_compression` represent exactly: a signed 24-bit mantissa and an exponent
-//! per number. Larger numbers are multiples of larger powers, so rounding depends only on the number, and equal
-//! corners of different meshes stay equal.
+//! Quantisation grid of positions and texture coordinates. Its points are multiples of a power of two, of a larger
+//! power for numbers that do not fit into 24 bits. Float32 and the EXPONENTIAL filter of `EXT_meshopt_compression` (per
+//! number a signed 24-bit mantissa and an exponent) represent them exactly. Rounding depends only on the number, so
+//! equal corners of different meshes stay equal.
 
 /// Maximum mantissa.
 const MAX_MANTISSA: i32 = (1 << 23) - 1;
 
-/// Maximum number of steps: products of differences stay exact in 64 bits.
+/// Maximum number of steps, so that products of differences are exact in 64 bits.
 const MAX_STEPS: i32 = 1 << 29;
 
-/// Minimum and maximum exponent of the extension, with a reserve for large numbers.
+/// Exponents of the extension, with a reserve at the end for the larger powers of large numbers.
 const EXPONENTS: std::ops::RangeInclusive<i32> = -100..=94;
 
-/// Multiples of 2^exponent; beyond 2²³ steps, multiples of the smallest larger power that fits the mantissa.
+/// Multiples of 2^exponent; beyond 2²³ steps, of the smallest larger power of two with a mantissa that fits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Grid {
     exponent: i32,
 }
 
 impl Grid {
-    /// Creates the coarsest grid whose step is at most `step`, a positive number; coarser if needed to represent
-    /// numbers up to `reach`.
+    /// Creates the coarsest grid with a step of at most `step`, a positive number. If numbers up to `reach` do not fit
+    /// into it, the grid is coarser.
     pub fn new(step: f64, reach: f64) -> Self {
         let mut grid = Self { exponent: exponent(step).clamp(*EXPONENTS.start(), *EXPONENTS.end()) };
         while grid.exponent < *EXPONENTS.end() && reach > f64::from(MAX_STEPS) * grid.step() {
@@ -29,12 +29,12 @@ impl Grid {
         grid
     }
 
-    /// Returns the distance of neighbouring points near 0.
+    /// Returns the distance between neighbouring points near 0.
     pub fn step(self) -> f64 {
         power(self.exponent)
     }
 
-    /// Returns the maximum error of numbers that round to at most this many steps.
+    /// Returns the maximum error of numbers that round to this many steps.
     pub fn error(self, steps: i32) -> f64 {
         power(self.exponent + shift(steps)) / 2.0
     }
@@ -59,19 +59,19 @@ impl Grid {
 
     /// Returns a point in the EXPONENTIAL filter's format: exponent in the upper 8 bits, mantissa in the lower 24.
     #[inline]
-    pub fn packed(self, steps: i32) -> u32 {
+    pub fn pack(self, steps: i32) -> u32 {
         let shift = shift(steps);
         ((self.exponent + shift) as u32) << 24 | ((steps >> shift) as u32 & 0x00ff_ffff)
     }
 }
 
-/// Returns the number of low bits that do not fit in the mantissa. Rounding has made them 0.
+/// Returns the number of low bits that do not fit into the mantissa. `Grid::round` makes them 0.
 #[inline]
 fn shift(steps: i32) -> i32 {
     (9 - steps.unsigned_abs().leading_zeros() as i32).max(0)
 }
 
-/// Returns the exponent of the largest power of two that is at most a positive, normal number.
+/// Returns the exponent of the largest power of two not above a positive, normal number.
 fn exponent(x: f64) -> i32 {
     (x.to_bits() >> 52) as i32 - 1023
 }
@@ -104,7 +104,7 @@ mod tests {
         let random = (0..10_000).map(|i| (2.0 * uniform(1, 0, i) - 1.0) * 10f64.powf(6.0 * uniform(1, 1, i) - 0.3));
         for x in ends.into_iter().chain(random).map(|x| x.clamp(-524_288.0, 524_288.0)) {
             let steps = grid.round(x);
-            let mut packed = [[grid.packed(steps)]];
+            let mut packed = [[grid.pack(steps)]];
             meshopt::decode_filter_exp(&mut packed);
             let value = f32::from_bits(packed[0][0]);
             assert_eq!(value, grid.value(steps), "{x}");

@@ -1,7 +1,6 @@
-//! Meshes as encoded primitives: welding of equal vertices, and reordering of faces and vertices for compression and
-//! drawing speed.
+//! Meshes as encoded primitives. Equal vertices are merged; faces and vertices are ordered for compression and drawing.
 //!
-//! The order of faces is meshoptimizer's: Kapoulkine, after Forsyth: Linear-speed vertex cache optimisation, 2006.
+//! meshoptimizer orders the faces (Kapoulkine, after Forsyth: Linear-speed vertex cache optimisation, 2006).
 
 use meshopt::{VertexStream, generate_vertex_remap_multi, optimize_vertex_cache_in_place};
 use rayon::prelude::*;
@@ -15,16 +14,15 @@ use super::surfaces::Surfaces;
 use crate::base::memory::{room_for, try_with_capacity};
 use crate::base::{Progress, Result};
 
-/// Alignment of arrays in files: that of their widest components.
+/// Alignment of arrays in files, the size of their largest components.
 pub(super) const ALIGNMENT: usize = 4;
-/// Bytes per face of all arrays while a mesh without shared vertices is encoded, most of them meshoptimizer's; measured
-/// as the growth of the address space.
+/// Memory for encoding a mesh without shared vertices, bytes per face; measured as the growth of the address space.
 const ENCODING_BYTES: u64 = 320;
 /// Marks vertices that no face uses.
 const UNUSED: u32 = u32::MAX;
 
-/// Returns the number of faces of meshes that are encoded together; fails if there is no room for all. Tasks that asked
-/// for themselves would each be granted the same memory.
+/// Returns the number of faces of meshes that are encoded in parallel; fails if there is no room for all. If each task
+/// asked for itself, all would be granted the same memory.
 pub(super) fn room_to_encode(face_counts: impl Iterator<Item = usize>) -> Result<u64> {
     let count = face_counts.sum::<usize>() as u64;
     room_for(ENCODING_BYTES * count)?;
@@ -35,7 +33,7 @@ pub(super) fn room_to_encode(face_counts: impl Iterator<Item = usize>) -> Result
 #[derive(Clone, Debug)]
 pub(super) struct EncodedPrimitive {
     pub key: Key,
-    /// Vertex attributes, and last the corners.
+    /// Arrays of vertex attributes, then the array of corners.
     pub streams: Vec<Stream>,
 }
 
@@ -47,8 +45,8 @@ pub(super) struct EncodedMesh {
 }
 
 impl EncodedMesh {
-    /// Encodes the faces of some parts, for which `room_to_encode` has asked. Position errors are measured in their frame.
-    /// Reports one unit per face.
+    /// Encodes the faces of parts. The caller has called `room_to_encode`. Position errors are in the frame of the
+    /// parts. Reports one unit of progress per face.
     pub fn new(
         parts: &[Part<'_>],
         grid: Grid,
@@ -67,7 +65,7 @@ impl EncodedMesh {
                 let streams = streams(&welded, compressed)?;
                 statistics.triangles = welded.faces.len() as u64;
                 statistics.vertices = welded.positions.len() as u64;
-                streams.iter().for_each(|stream| stream.count_in(&mut statistics));
+                streams.iter().for_each(|stream| stream.add_to(&mut statistics));
                 encoded = Some(EncodedPrimitive { key: *key, streams });
             }
             progress.report(faces)?;
@@ -83,7 +81,7 @@ impl EncodedMesh {
         Ok(mesh)
     }
 
-    /// Returns all arrays concatenated, each aligned.
+    /// Returns all arrays, concatenated and aligned.
     pub fn bytes(&self) -> Result<Vec<u8>> {
         let mut bytes = try_with_capacity(self.byte_count())?;
         for stream in self.streams() {
@@ -92,7 +90,7 @@ impl EncodedMesh {
         Ok(bytes)
     }
 
-    /// Returns the number of bytes of all arrays, each aligned.
+    /// Returns the length of `bytes`.
     pub fn byte_count(&self) -> usize {
         self.streams().map(|stream| stream.bytes.len().next_multiple_of(ALIGNMENT)).sum()
     }
@@ -102,7 +100,7 @@ impl EncodedMesh {
     }
 }
 
-/// Appends an array, padded to the alignment; returns its start.
+/// Appends an array and padding; returns the array's start.
 pub(super) fn append(bytes: &mut Vec<u8>, array: &[u8]) -> usize {
     let start = bytes.len();
     bytes.extend_from_slice(array);
@@ -110,7 +108,7 @@ pub(super) fn append(bytes: &mut Vec<u8>, array: &[u8]) -> usize {
     start
 }
 
-/// Returns a primitive with distinct vertices in the order of their first use.
+/// Merges equal vertices, orders the faces, and orders the vertices by their first use.
 fn weld(mut primitive: Primitive) -> Primitive {
     let (count, numbers) = distinct_vertices(&primitive);
     let mut vertices = vec![UNUSED; count];
@@ -120,13 +118,13 @@ fn weld(mut primitive: Primitive) -> Primitive {
     let corners = primitive.faces.as_flattened_mut();
     corners.iter_mut().for_each(|corner| *corner = numbers[*corner as usize]);
     optimize_vertex_cache_in_place(corners, count);
-    let mut order = by_first_use(corners, count);
+    let mut order = renumber_by_first_use(corners, count);
     order.iter_mut().for_each(|number| *number = vertices[*number as usize]);
     reorder(&mut primitive, &order);
     primitive
 }
 
-/// Returns the number of distinct vertices that faces use, and the number of each vertex among them.
+/// Returns the number of distinct vertices that faces use, and for each vertex its number among them or `UNUSED`.
 fn distinct_vertices(primitive: &Primitive) -> (usize, Vec<u32>) {
     let mut streams = vec![VertexStream::new(primitive.positions.as_ptr())];
     streams.extend(primitive.normals.as_ref().map(|normals| VertexStream::new(normals.as_ptr())));
@@ -145,8 +143,8 @@ fn reorder(primitive: &mut Primitive, order: &[u32]) {
     primitive.colors.iter_mut().for_each(|colors| rows(colors, order));
 }
 
-/// Renumbers corners in the order of their first use; returns the old numbers in this order.
-fn by_first_use(corners: &mut [u32], count: usize) -> Vec<u32> {
+/// Renumbers vertices in the order of their first use; returns their old numbers in this order.
+fn renumber_by_first_use(corners: &mut [u32], count: usize) -> Vec<u32> {
     let mut numbers = vec![UNUSED; count];
     let mut order = Vec::with_capacity(count);
     for corner in corners {

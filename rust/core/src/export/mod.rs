@@ -1,9 +1,9 @@
 //! Export of geometry as glTF files that a viewer loads one after the other.
 //!
-//! Objects are divided into groups, and each group becomes a GLB: static meshes that are used once are merged by
-//! material, meshes with several placements are written once and placed, and moving objects are named nodes. Positions
+//! The caller divides objects into groups, and each group becomes a GLB. Static meshes with one placement are merged by
+//! material. Meshes with several placements are written once and instanced. Moving objects are named nodes. Positions
 //! are rounded to a grid shared by all files, so objects that touch stay together. Files are compressed with
-//! `EXT_meshopt_compression` or hold plain arrays that need no extension.
+//! `EXT_meshopt_compression` or hold uncompressed arrays that need no extension.
 //!
 //! Errors are bounded: see [`Settings::step`] for positions, [`NORMAL_ERROR_DEG`] for normals and [`UV_ERROR_TEXELS`]
 //! for texture coordinates. Colours are exact.

@@ -1,12 +1,12 @@
-//! Compact renumbering of the vertices that some faces of a mesh use.
+//! Consecutive numbers for the vertices that some faces of a mesh use.
 
 use crate::base::mapped::{set_bits, starts};
 
-/// Used vertices of a mesh, numbered in their order. A bit per vertex and a count per 64 vertices take a fraction of
-/// the memory of a table with an entry per vertex.
+/// Numbers of the used vertices of a mesh, in ascending order. A bit per vertex and a count per 64 vertices take a
+/// fraction of the memory of a table with an entry per vertex.
 #[derive(Debug, Default)]
 pub(super) struct Numbering {
-    /// First vertex of the first word.
+    /// Vertex of the first bit, a multiple of 64.
     start: u32,
     /// One bit per vertex.
     used: Vec<u64>,
@@ -29,6 +29,7 @@ impl Numbering {
         Self { start, before: before.collect(), used }
     }
 
+    /// Returns the number of a used vertex.
     #[inline]
     pub fn number(&self, vertex: u32) -> u32 {
         let word = ((vertex - self.start) / 64) as usize;

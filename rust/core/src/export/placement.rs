@@ -1,4 +1,4 @@
-//! Placements as translation, rotation and scale, and their amplification of rounding errors.
+//! Placements as translation, rotation and scale, and the factors by which they multiply rounding errors.
 
 use glam::{DAffine3, DMat3, DQuat, DVec3};
 
@@ -23,7 +23,7 @@ impl Trs {
         }
     }
 
-    /// Returns the maximum displacement per axis of a box's points.
+    /// Returns the maximum distance per axis between the two placements of a box's points.
     pub fn error(&self, to_scene: &DAffine3, bounds: &Aabb) -> f64 {
         let rotation = DQuat::from_array(self.rotation.map(f64::from)).normalize();
         let [scale, translation] = [self.scale, self.translation].map(|v| DVec3::from_array(v.map(f64::from)));
@@ -32,16 +32,15 @@ impl Trs {
     }
 }
 
-/// Returns whether a placement is translation, rotation and scale without shear, within a displacement of a box's
-/// points.
+/// Returns whether a placement without its shear displaces the points of a box by at most a tolerance per axis.
 pub(super) fn is_trs(to_scene: &DAffine3, bounds: &Aabb, tolerance: f64) -> bool {
     let (scale, rotation, translation) = to_scene.to_scale_rotation_translation();
     let recomposed = DAffine3::from_scale_rotation_translation(scale, rotation.normalize(), translation);
     displacement(to_scene, &recomposed, bounds) <= tolerance
 }
 
-/// Returns the maximum difference per axis between two placements of a box. It is affine in the point, so largest at a
-/// corner.
+/// Returns the maximum difference per axis between two placements of a box. It is largest at a corner, because each
+/// axis' difference is affine in the point.
 fn displacement(a: &DAffine3, b: &DAffine3, bounds: &Aabb) -> f64 {
     let ends = [bounds.min.as_dvec3(), bounds.max.as_dvec3()];
     let corner = |i: usize| DVec3::new(ends[i & 1].x, ends[i >> 1 & 1].y, ends[i >> 2 & 1].z);
@@ -49,21 +48,19 @@ fn displacement(a: &DAffine3, b: &DAffine3, bounds: &Aabb) -> f64 {
     (0..8).map(|i| distance(corner(i))).fold(0.0, f64::max)
 }
 
-/// Returns the maximum factor by which a placement lengthens a line, or slightly more with shear: the square root of
-/// the largest eigenvalue of MᵀM, bounded by its maximum row sum.
+/// Returns the maximum factor by which a placement lengthens a line; an upper bound with shear. The factor is the
+/// square root of the largest eigenvalue of MᵀM, which the maximum row sum of absolute values bounds.
 pub(super) fn scale(matrix: &DMat3) -> f64 {
     stretch(&(matrix.transpose() * *matrix)).sqrt()
 }
 
-/// Returns the maximum error per scene axis for errors of at most 1 on each axis of the mesh: the maximum row sum of
-/// absolute values.
+/// Returns the factor by which a placement multiplies an error per axis: the maximum row sum of absolute values.
 pub(super) fn stretch(matrix: &DMat3) -> f64 {
     (matrix.x_axis.abs() + matrix.y_axis.abs() + matrix.z_axis.abs()).max_element()
 }
 
-/// Returns a bound of `stretch` for all poses that differ by rotations: an error vector has a length of at most √3,
-/// and the matrix extends it by at most the square root of the largest eigenvalue of MᵀM, bounded by its maximum row
-/// sum.
+/// Returns an upper bound of `stretch` for all rotations of a placement: an error of 1 per axis is a vector of length
+/// √3, which the placement lengthens by at most `scale`.
 pub(super) fn greatest_stretch(matrix: &DMat3) -> f64 {
     (3.0 * stretch(&(matrix.transpose() * *matrix))).sqrt()
 }

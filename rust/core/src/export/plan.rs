@@ -10,8 +10,7 @@ use crate::base::memory::try_grow;
 use crate::base::{Error, FaceMap, Progress, Result, by_object, ensure};
 use crate::scene::{Instance, Mesh, Scene, is_mirror};
 
-/// Limits of `Settings::step`: beyond the needs of float32 positions and scenes, and within the exponents of the
-/// EXPONENTIAL filter.
+/// Limits of `Settings::step`, beyond the needs of float32 positions and within the EXPONENTIAL filter's exponents.
 pub(super) const MIN_STEP: f64 = 1.0 / (1u64 << 40) as f64;
 pub(super) const MAX_STEP: f64 = (1u64 << 20) as f64;
 
@@ -19,10 +18,10 @@ pub(super) const MAX_STEP: f64 = (1u64 << 20) as f64;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
     /// Step of the grid of positions in metres, rounded down to a power of two. The error of a position is at most
-    /// half a step per axis. Coordinates beyond 2²³ steps use coarser steps, as float32 demands; `Statistics` has the
+    /// half a step per axis. Coordinates beyond 2²³ steps use larger steps because of float32; `Statistics` has the
     /// maximum error.
     pub step: f64,
-    /// Whether arrays are compressed; otherwise files need no extension, unless images are WebP.
+    /// Whether arrays are compressed. Uncompressed files need no extension unless images are WebP.
     pub compressed: bool,
 }
 
@@ -37,10 +36,10 @@ impl Default for Settings {
 #[derive(Clone, Debug)]
 pub(super) struct SharedPlan {
     pub mesh: Arc<Mesh>,
-    /// Whether its faces are flipped, for mirrored placements.
+    /// Whether all placements mirror the mesh; then its faces are written flipped.
     pub flipped: bool,
     pub grid: Grid,
-    /// Maximum factor by which a placement increases an error per axis.
+    /// Maximum factor by which a placement multiplies an error per axis.
     pub stretch: f64,
     /// Groups with a placement, ascending.
     pub groups: Vec<u16>,
@@ -55,7 +54,7 @@ pub(super) struct InstanceFaces {
     pub faces: Option<Vec<u32>>,
 }
 
-/// A moving instance, or the part of one that belongs to an object.
+/// A moving instance, or the part of it that belongs to one object.
 #[derive(Clone, Debug)]
 pub(super) struct Moving {
     /// Number of the object, −1 for none.
@@ -70,7 +69,7 @@ pub(super) struct Moving {
 pub(super) struct Contents {
     /// Static faces to be merged.
     pub merged: Vec<InstanceFaces>,
-    /// Static placements, as numbers of the shared mesh and the instance.
+    /// Static placements: numbers of the shared mesh and of the instance.
     pub placed: Vec<(usize, u32)>,
     pub moving: Vec<Moving>,
 }
@@ -80,28 +79,29 @@ pub(super) struct Contents {
 pub(super) struct Plan {
     pub shared: Vec<SharedPlan>,
     pub groups: Vec<Contents>,
-    /// Grid of all merged faces: one for all files, so that no cracks open between them.
+    /// Grid of the merged faces of all files, so that there are no cracks between them.
     pub merged_grid: Grid,
 }
 
 /// A mesh, and whether its faces are flipped.
 type Shape = (*const Mesh, bool);
 
-/// An instance with its number and the object of all its faces, if there is one.
-struct Placed<'a> {
+/// An instance with faces.
+struct PlacedInstance<'a> {
     number: u32,
     instance: &'a Instance,
+    /// The object that all faces belong to, if there is one.
     object: Option<i32>,
     moves: bool,
 }
 
-impl Placed<'_> {
+impl PlacedInstance<'_> {
     fn shape(&self) -> Shape {
         (ptr::from_ref(&*self.instance.mesh), is_mirror(&self.instance.to_scene))
     }
 
-    /// Returns whether the instance can place a shared mesh: sheared placements are no valid nodes, and instances with
-    /// several objects may belong to several groups.
+    /// Returns whether the instance can refer to a shared mesh. A static sheared placement cannot, because glTF nodes
+    /// have no shear, nor can an instance with several objects, because they may belong to several groups.
     fn can_share(&self, step: f64) -> bool {
         let (to_scene, bounds) = (&self.instance.to_scene, self.instance.mesh.bounds());
         self.object.is_some() && (self.moves || is_trs(to_scene, &bounds, step / 2.0))
@@ -109,10 +109,9 @@ impl Placed<'_> {
 }
 
 impl Plan {
-    /// Divides a scene. `groups` has the group of each object, and last that of faces without an object; all are below
-    /// `count`.
+    /// Divides a scene. `groups` has each object's group, below `count`; its last entry is for faces without an object.
     pub fn new(scene: &Scene, groups: &[u16], count: usize, step: f64, progress: &Progress) -> Result<Self> {
-        ensure!(!groups.is_empty(), "groups", "a group for faces without an object", "none");
+        ensure!(!groups.is_empty(), "groups", "at least the group of faces without an object", "none");
         if let Some(wrong) = groups.iter().find(|&&group| usize::from(group) >= count) {
             return Err(Error::value("groups", format!("group numbers below {count}"), wrong));
         }
@@ -150,7 +149,7 @@ impl Plan {
     }
 }
 
-/// Returns the object of all faces of an instance, if there is one.
+/// Returns the object that all faces of an instance belong to, if there is one.
 pub(super) fn only_object(instance: &Instance) -> Option<i32> {
     match instance.mesh.objects {
         FaceMap::Uniform(object) => Some(instance.object.unwrap_or(object)),
@@ -159,27 +158,28 @@ pub(super) fn only_object(instance: &Instance) -> Option<i32> {
 }
 
 /// Returns all instances with faces, in order.
-fn placed_instances(scene: &Scene) -> Vec<Placed<'_>> {
+fn placed_instances(scene: &Scene) -> Vec<PlacedInstance<'_>> {
     let static_count = scene.standing.instances().len();
     let with_faces = scene.instances().enumerate().filter(|(_, instance)| !instance.mesh.faces.is_empty());
     let placed = with_faces.map(|(number, instance)| {
         let object = only_object(instance);
-        Placed { number: number as u32, instance, object, moves: number >= static_count }
+        PlacedInstance { number: number as u32, instance, object, moves: number >= static_count }
     });
     placed.collect()
 }
 
-/// Returns the meshes with several placements, in the order of their first ones.
-fn shared_meshes(all: &[Placed<'_>], step: f64, group_of: &impl Fn(i32) -> u16) -> Vec<SharedPlan> {
-    let mut users: HashMap<Shape, Vec<&Placed<'_>>> = HashMap::new();
+/// Returns the meshes with several placements, in the order of their first placements.
+fn shared_meshes(all: &[PlacedInstance<'_>], step: f64, group_of: &impl Fn(i32) -> u16) -> Vec<SharedPlan> {
+    let mut users: HashMap<Shape, Vec<&PlacedInstance<'_>>> = HashMap::new();
     for placed in all.iter().filter(|placed| placed.can_share(step)) {
         users.entry(placed.shape()).or_default().push(placed);
     }
-    let mut shapes: Vec<(Shape, Vec<&Placed<'_>>)> = users.into_iter().filter(|(_, users)| users.len() > 1).collect();
+    let mut shapes: Vec<(Shape, Vec<&PlacedInstance<'_>>)> =
+        users.into_iter().filter(|(_, users)| users.len() > 1).collect();
     shapes.sort_by_key(|(_, users)| users[0].number);
-    let plan = |((_, flipped), users): (Shape, Vec<&Placed<'_>>)| {
+    let plan = |((_, flipped), users): (Shape, Vec<&PlacedInstance<'_>>)| {
         let mesh = Arc::clone(&users[0].instance.mesh);
-        let stretch_of = |placed: &&Placed<'_>| {
+        let stretch_of = |placed: &&PlacedInstance<'_>| {
             let matrix = &placed.instance.to_scene.matrix3;
             if placed.moves { greatest_stretch(matrix) } else { stretch(matrix) }
         };
@@ -193,8 +193,8 @@ fn shared_meshes(all: &[Placed<'_>], step: f64, group_of: &impl Fn(i32) -> u16) 
     shapes.into_iter().map(plan).collect()
 }
 
-/// Divides the faces of an instance by a key of their objects; face numbers are `None` for all faces.
-fn divide<K: Ord + Copy>(placed: &Placed<'_>, key_of: impl Fn(i32) -> K) -> Result<Vec<(K, Option<Vec<u32>>)>> {
+/// Divides the faces of an instance by a key of their objects; `None` stands for all faces.
+fn divide<K: Ord + Copy>(placed: &PlacedInstance<'_>, key_of: impl Fn(i32) -> K) -> Result<Vec<(K, Option<Vec<u32>>)>> {
     if let Some(object) = placed.object {
         return Ok(vec![(key_of(object), None)]);
     }

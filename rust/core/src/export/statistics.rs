@@ -42,9 +42,9 @@ pub struct Statistics {
     pub triangles: u64,
     /// Vertices stored.
     pub vertices: u64,
-    /// Triangles shown: stored ones, and those of shared meshes at each placement.
+    /// Triangles drawn; those of a shared mesh count once for each placement.
     pub drawn: u64,
-    /// Triangles left out because they have no area after rounding.
+    /// Triangles that are left out because they have no area after rounding.
     pub dropped: u64,
     /// Maximum error of a position per axis, metres.
     pub position_error: f64,

@@ -9,11 +9,11 @@ use super::grid::Grid;
 use crate::base::{Result, by_number, ensure};
 use crate::scene::{Alpha, Material, Sampler, Scene, Texture};
 
-/// Maximum error of a texture coordinate, in texels of the longer side, for coordinates up to 2²³ steps of its grid:
-/// 2¹¹ periods of a texture of up to 1024 texels. Larger ones have about the precision of float32.
+/// Maximum error of a texture coordinate, in texels of the longer side, up to 2²³ steps of the grid: 2¹¹ repetitions of
+/// a texture of up to 1024 texels. Larger coordinates have about the precision of float32.
 pub const UV_ERROR_TEXELS: f64 = 1.0 / 8.0;
 
-/// Maximum step of texture coordinates, used for textures of up to 1024 texels; larger ones get finer steps.
+/// Step of texture coordinates for textures of up to 1024 texels; larger textures get smaller steps.
 const MAX_UV_STEP: f64 = 1.0 / 4096.0;
 
 const LINEAR_MIPMAP_LINEAR: u32 = 9987;
@@ -21,7 +21,7 @@ const LINEAR_MIPMAP_LINEAR: u32 = 9987;
 /// Extension for textures with WebP images.
 const WEBP: &str = "EXT_texture_webp";
 
-/// Optional material extensions: a viewer without them shows other colours, and all else the same.
+/// Optional material extensions: a viewer without them shows different colours only.
 const UNLIT: &str = "KHR_materials_unlit";
 const STRENGTH: &str = "KHR_materials_emissive_strength";
 pub(super) const OPTIONAL: [&str; 2] = [UNLIT, STRENGTH];
@@ -29,26 +29,26 @@ pub(super) const OPTIONAL: [&str; 2] = [UNLIT, STRENGTH];
 /// Materials of a scene and URIs of its textures.
 #[derive(Debug)]
 pub(super) struct Surfaces {
-    /// Materials as drawn with the available images.
+    /// Materials without missing images.
     materials: Vec<Material>,
     textures: Arc<Vec<Texture>>,
     images: Vec<Option<String>>,
-    /// First material that is drawn alike, for each material; they may differ in properties that are not drawn.
+    /// For each material, the first one that looks the same; they may differ in properties that are not drawn.
     first_alike: Vec<i32>,
 }
 
-/// Lists of the document for materials, and the extensions that they use.
-pub(super) type Described = (BTreeMap<&'static str, Vec<Value>>, BTreeSet<&'static str>);
+/// JSON lists of materials, textures, images and samplers, and the extensions that they use.
+pub(super) type MaterialLists = (BTreeMap<&'static str, Vec<Value>>, BTreeSet<&'static str>);
 
 impl Surfaces {
-    /// Creates the materials. `images` are the URIs of the textures' images; without one a material is drawn
-    /// untextured.
+    /// Creates the materials. `images` has the URI of each texture's image; without it a material is drawn untextured.
     pub fn new(scene: &Scene, images: Vec<Option<String>>) -> Result<Self> {
         let count = scene.textures.len();
         ensure!(images.len() == count, "images", format!("a URI or none for each of {count} textures"), images.len());
         let mut first_by_looks: HashMap<_, i32> = HashMap::new();
         let mut first_alike = Vec::with_capacity(scene.materials.len());
-        let materials: Vec<Material> = scene.materials.iter().map(|material| drawn_with(material, &images)).collect();
+        let materials: Vec<Material> =
+            scene.materials.iter().map(|material| without_missing_images(material, &images)).collect();
         for (number, material) in materials.iter().enumerate() {
             let cutoff = match material.alpha {
                 Alpha::Opaque => None,
@@ -61,7 +61,7 @@ impl Surfaces {
         Ok(Self { materials, textures: Arc::clone(&scene.textures), images, first_alike })
     }
 
-    /// Returns the first material that is drawn like this one; −1 for none.
+    /// Returns the first material that looks like this one; −1 for no material.
     #[inline]
     pub fn drawn_material(&self, material: i32) -> i32 {
         by_number(&self.first_alike, material).copied().unwrap_or(-1)
@@ -78,21 +78,19 @@ impl Surfaces {
         self.material(material).textures().next().is_some()
     }
 
-    /// Returns the texels of the longest side of a material's textures; 1 without one.
+    /// Returns the longest side of a material's textures in texels; 1 without a texture.
     pub fn texels(&self, material: i32) -> f64 {
         let textures = self.material(material).textures().map(|texture| &self.textures[texture as usize]);
         textures.map(|texture| f64::from(texture.width.max(texture.height))).fold(1.0, f64::max)
     }
 
-    /// Returns the grid of a material's texture coordinates up to `reach`. Half its step is at most an eighth of a
-    /// texel.
+    /// Returns the grid of a material's texture coordinates up to `reach`. Half its step is at most `UV_ERROR_TEXELS`.
     pub fn uv_grid(&self, material: i32, reach: f64) -> Grid {
         Grid::new((2.0 * UV_ERROR_TEXELS / self.texels(material)).min(MAX_UV_STEP), reach)
     }
 
-    /// Returns the document's lists for materials, each with or without its textures, in this order, and their
-    /// extensions.
-    pub fn describe(&self, used: &[(i32, bool)]) -> Described {
+    /// Returns the JSON of materials, in this order, given as (number, whether it is textured).
+    pub fn describe(&self, used: &[(i32, bool)]) -> MaterialLists {
         let (mut images, mut textures, mut materials) = (Vec::new(), Vec::new(), Vec::new());
         let mut numbers: BTreeMap<u32, usize> = BTreeMap::new();
         let mut samplers: Vec<Sampler> = Vec::new();
@@ -133,9 +131,9 @@ impl Surfaces {
     }
 }
 
-/// Returns a material as drawn with the available images. Emission without its image is omitted: the factor alone
-/// would let dark parts glow.
-fn drawn_with(material: &Material, images: &[Option<String>]) -> Material {
+/// Returns a material without the textures whose images are missing. If the image of the emission is missing, the
+/// emission is removed, because its factor alone would light the texture's dark parts.
+fn without_missing_images(material: &Material, images: &[Option<String>]) -> Material {
     let has_image = |texture: &u32| images[*texture as usize].is_some();
     let mut drawn = *material;
     drawn.texture = drawn.texture.filter(has_image);
@@ -152,7 +150,7 @@ fn sampler_entry(sampler: Sampler) -> Value {
 }
 
 fn material_entry(material: &Material, texture: Option<usize>) -> Value {
-    // glTF allows factors from 0 to 1; shading clamps to white in any case.
+    // glTF allows factors from 0 to 1. Shading clamps to white anyway.
     let color = material.base_color.map(|x| x.clamp(0.0, 1.0));
     let mut surface = json!({ "baseColorFactor": color, "metallicFactor": 0, "roughnessFactor": 1 });
     if let Some(texture) = texture {
@@ -161,14 +159,14 @@ fn material_entry(material: &Material, texture: Option<usize>) -> Value {
     let mut entry = json!({ "pbrMetallicRoughness": surface, "doubleSided": true });
     if let Alpha::Mask { cutoff } = material.alpha {
         entry["alphaMode"] = json!("MASK");
-        // Cutoffs below 0, which glTF does not allow, cut nothing out, like 0.
+        // glTF forbids cutoffs below 0. Like 0, they cut nothing out.
         entry["alphaCutoff"] = json!(cutoff.max(0.0));
     }
     entry
 }
 
-/// Adds the emission to a material's entry; returns whether it uses `KHR_materials_emissive_strength`, because glTF
-/// limits factors to 0 to 1. Products in float64 round to the same float32.
+/// Adds the emission to a material's entry; returns whether it needs `KHR_materials_emissive_strength`, because its
+/// factors exceed glTF's limit of 1. The product of strength and factor, in float64, rounds to the original float32.
 fn add_emission(entry: &mut Value, material: &Material, texture: Option<usize>) -> bool {
     if !material.emits() {
         return false;

@@ -1,7 +1,7 @@
-//! f(r) = r (1 + k₁r² + k₂r⁴ + …) with twice the precision of float64. Near a fold, and where terms cancel, plain
-//! float64 is wrong by many roundings, and a root found with it by many more.
+//! f(r) = r (1 + k₁r² + k₂r⁴ + …) with twice the precision of float64. Near a fold, and where terms cancel, float64
+//! alone has an error of many roundings, and a root found with it has an even larger error.
 //!
-//! Error-free sums and products are Knuth's and Dekker's. With fused multiply-add one instruction gives the same bits.
+//! Error-free sums are Knuth's, error-free products Dekker's or, with the same bits, a fused multiply-add.
 
 /// Returns a + b, rounded, and the rounding error.
 #[inline(always)]
@@ -22,7 +22,7 @@ pub(super) fn two_product<const FUSED: bool>(a: f64, b: f64) -> (f64, f64) {
     (product, ((ah * bh - product) + ah * bl + al * bh) + al * bl)
 }
 
-/// Veltkamp's split: returns two floats of 26 bits each whose sum is `a`.
+/// Returns two floats of 26 bits each whose sum is `a` (Veltkamp's split).
 #[inline(always)]
 fn halves(a: f64) -> (f64, f64) {
     const FACTOR: f64 = 134_217_729.0; // 2²⁷ + 1
@@ -33,7 +33,7 @@ fn halves(a: f64) -> (f64, f64) {
 
 /// Returns f(r), rounded, and the rounding error.
 #[inline(always)]
-pub(super) fn distorted<const FUSED: bool>(k: &[f64], r: f64) -> (f64, f64) {
+pub(super) fn distort<const FUSED: bool>(k: &[f64], r: f64) -> (f64, f64) {
     let (square, square_error) = two_product::<FUSED>(r, r);
     let (mut high, mut error) = (0.0, 0.0);
     for n in (0..k.len()).rev() {
@@ -47,9 +47,9 @@ pub(super) fn distorted<const FUSED: bool>(k: &[f64], r: f64) -> (f64, f64) {
     (product, product_error + (error + sum_error) * r)
 }
 
-/// Returns f(r) − x, correct to one rounding unless it is below 10⁻³⁰ of the terms of f.
+/// Returns f(r) − x, correct to one rounding unless it is smaller than 10⁻³⁰ times the terms of f.
 pub(super) fn residual(k: &[f64], r: f64, x: f64) -> f64 {
-    let (high, error) = distorted::<false>(k, r);
+    let (high, error) = distort::<false>(k, r);
     (high - x) + error
 }
 
@@ -62,13 +62,13 @@ mod tests {
         #[test]
         fn both_products_have_the_same_bits(a in -1e90..1e90f64, b in -1e3..1e3f64, k in -1.0..1.0f64, r in 0.0..9.0f64) {
             prop_assert_eq!(two_product::<true>(a, b), two_product::<false>(a, b));
-            prop_assert_eq!(distorted::<true>(&[k, a], r), distorted::<false>(&[k, a], r));
+            prop_assert_eq!(distort::<true>(&[k, a], r), distort::<false>(&[k, a], r));
         }
 
         #[test]
         fn integers_are_exact(k in -20..20i64, l in -20..20i64, r in 0..1000i64) {
             let expected = i128::from(r) + i128::from(k * r.pow(3)) + i128::from(l) * i128::from(r).pow(5);
-            let (high, error) = distorted::<false>(&[k as f64, l as f64], r as f64);
+            let (high, error) = distort::<false>(&[k as f64, l as f64], r as f64);
             prop_assert_eq!(high as i128 + error as i128, expected);
         }
     }

@@ -1,5 +1,4 @@
-//! Batch evaluation of f, f′ and f⁻¹. Vector kernels process blocks of radii; the remaining radii are solved one by
-//! one.
+//! f, f′ and f⁻¹ of many radii. Vector kernels process blocks; radii that a kernel cannot invert are solved one by one.
 
 use std::cmp::Ordering;
 
@@ -22,12 +21,12 @@ pub(super) const LANES: usize = 32;
 #[repr(align(64))]
 struct TileBuffer([f64; TILE]);
 
-/// Method that inverts f.
+/// Method for f⁻¹.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum InverseMethod {
-    /// Newton's method to the last bits.
+    /// Newton's method, to the last bits.
     Newton,
-    /// r ← x / (1 + k₁r² + …), iterated this many times, as in Liebisch (2021), Alg. 1.
+    /// This many iterations of r ← x / (1 + k₁r² + …), as in Liebisch (2021), Alg. 1.
     FixedPoint(u32),
     /// Cubic polynomials between the nodes of a table, with the error bound of `table_bound`.
     Table,
@@ -39,8 +38,7 @@ impl RadialLens {
         each_tile(r, to, refuse.then_some(self.radial.r_max), progress, |tile| self.distort_blocks(tile))
     }
 
-    /// Writes f′(r) of radii of either sign. The error is at most 2 (n + 1) roundings of the sum of the terms'
-    /// absolute values, for n coefficients.
+    /// Writes f′(r) of radii of either sign; the error is at most 2 (n + 1) roundings of Σ |terms| for n coefficients.
     pub fn derivative_all<T: Real>(&self, r: &[T], to: &mut [T], refuse: bool, progress: &Progress) -> Result<()> {
         let Radial { slope, r_max, .. } = &self.radial;
         each_tile(r, to, refuse.then_some(*r_max), progress, |tile| slope_tile(slope, *r_max, tile))
@@ -62,14 +60,13 @@ impl RadialLens {
         each_tile(x, to, end, progress, |tile| self.undistort_blocks(tile, exact, T::SLACK))
     }
 
-    /// Replaces each radius by its image under f. The number of radii is a multiple of `LANES`.
+    /// Replaces each radius r by f(r). The number of radii is a multiple of `LANES`.
     pub(super) fn distort_blocks(&self, tile: &mut [f64]) {
         distort_tile(&self.radial.k, self.radial.r_max, tile);
     }
 
-    /// Replaces each radius by its image under f⁻¹, by Newton's method or from the table. The number of radii is a
-    /// multiple of `LANES`. Radii up to a relative `slack` beyond f(r_max) count as f(r_max), because rounding may
-    /// have moved them there.
+    /// Replaces each distorted radius x by f⁻¹(x): from the table, or by Newton's method if `exact`. The number of
+    /// radii is a multiple of `LANES`. Radii of up to (1 + `slack`) f(r_max) count as f(r_max), because of rounding.
     pub(super) fn undistort_blocks(&self, tile: &mut [f64], exact: bool, slack: f64) {
         let mut failed = Vec::new();
         match self.table() {
@@ -88,7 +85,7 @@ impl RadialLens {
     }
 }
 
-/// Runs a kernel over float64 copies of tiles. Results may be NaN, or fail if the end of the defined radii is given.
+/// Runs a kernel over float64 copies of tiles. Fails for NaN if `end`, the largest defined radius, is given.
 fn each_tile<T: Real>(
     from: &[T],
     to: &mut [T],
@@ -97,7 +94,7 @@ fn each_tile<T: Real>(
     kernel: impl Fn(&mut [f64]) + Sync,
 ) -> Result<()> {
     let tiles = from.par_chunks(TILE).zip(to.par_chunks_mut(TILE)).map(|(from, to)| {
-        // Tiles are padded to whole blocks with zeros, so that kernels need no remainder loop.
+        // Tiles are padded with zeros to whole blocks, so that kernels need no loop for a remainder.
         let mut buffer = TileBuffer([0.0; TILE]);
         for (value, radius) in buffer.0.iter_mut().zip(from) {
             *value = radius.wide();
@@ -116,7 +113,7 @@ fn each_tile<T: Real>(
     let expected = if end < FARTHEST {
         format!("radii up to {}, where the lens folds", number(end))
     } else {
-        format!("numbers that stay below {}", number(FARTHEST))
+        format!("numbers with a result below {}", number(FARTHEST))
     };
     Err(Error::value("r", expected, format!("{} at index {index}", number(from[index].wide()))))
 }
@@ -143,7 +140,7 @@ fn distort_kernel<const FUSED: bool>(k: &[f64], r_max: f64, tile: &mut [f64]) {
     }
 }
 
-/// Writes `exact::distorted` minus x for a block, with the same operations.
+/// Writes `exact::distort` minus x for a block, with the same operations.
 #[inline(always)]
 fn residual_block<const FUSED: bool>(k: &[f64], r: &[f64; LANES], x: &[f64; LANES], to: &mut [f64; LANES]) {
     let (mut square, mut square_low) = ([0.0; LANES], [0.0; LANES]);
@@ -201,7 +198,7 @@ fn fixed_point_kernel<const FUSED: bool>(k: &[f64], steps: u32, tile: &mut [f64]
     }
 }
 
-/// Evaluates the table's cubic polynomials at |x| for a block; results beyond the last interval are undefined.
+/// Evaluates the table's cubic polynomials at |x| for a block. Results beyond the last interval are undefined.
 #[inline(always)]
 pub(super) fn cubic_block(table: &Table, x: &[f64; LANES], to: &mut [f64; LANES]) {
     const MANTISSA: u64 = (1 << (f64::MANTISSA_DIGITS - 1)) - 1;
@@ -213,7 +210,7 @@ pub(super) fn cubic_block(table: &Table, x: &[f64; LANES], to: &mut [f64; LANES]
         let x = x[n].abs();
         let bits = x.to_bits();
         let is_first = x < table.first;
-        // The mantissa's bits below those of the interval number give the position in the interval, from 0 to 1.
+        // The high bits of the mantissa belong to the interval's number; the low bits are the position in it, 0 to 1.
         let fraction = f64::from_bits((bits << fineness) & MANTISSA | 1.0f64.to_bits()) - 1.0;
         position[n] = if is_first { x * scale } else { fraction };
         let number = (bits >> table.shift).wrapping_sub(table.base - 1);
@@ -246,7 +243,7 @@ fn table_kernel<const FUSED: bool>(table: &Table, tile: &mut [f64], failed: &mut
     }
 }
 
-/// Refines the table's value: one plain Newton step, then one with a residual of twice the precision.
+/// Refines the table's value by two Newton steps; the second computes its residual with twice the precision.
 #[inline(always)]
 fn newton_kernel<const FUSED: bool>(k: &[f64], slope: &[f64], table: &Table, tile: &mut [f64], failed: &mut Vec<u32>) {
     for (number, block) in tile.as_chunks_mut::<LANES>().0.iter_mut().enumerate() {
@@ -278,8 +275,7 @@ fn newton_kernel<const FUSED: bool>(k: &[f64], slope: &[f64], table: &Table, til
         for n in 0..LANES {
             let (first_step, second_step) = ((r[n] - start[n]).abs(), (residual[n] * inverse[n]).abs());
             let root = r[n] - residual[n] * inverse[n];
-            // The last step uses the slope at the start, so its error is 2 second_step² / first_step, at most a
-            // quarter ulp.
+            // With the slope at the start, the second step's error is 2 second_step² / first_step, at most ¼ ulp.
             let is_accurate = second_step * second_step <= 1e-17 * (root * first_step)
                 || second_step <= 1e-14 * root && first_step <= 1e-9 * root;
             is_solved[n] = is_accurate && x[n] < table.start_end;

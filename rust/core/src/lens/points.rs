@@ -13,15 +13,14 @@ use crate::base::{Error, Progress, Real, Result};
 
 /// Number of points in one task; their data fits in the first-level cache.
 pub(super) const TILE: usize = 1 << 9;
-/// Relative rounding error of a radius: two squares, their sum, its root, and the scaling of points.
+/// Bound of a radius' relative rounding error: two squares, their sum, its root, and the scaling of points.
 pub(super) const ROUNDINGS: f64 = 8.0 * f64::EPSILON;
-/// Maximum number of steps of Newton's method; from a good start it needs five.
+/// Maximum number of steps of Newton's method, which needs five from a good start.
 const NEWTON_STEPS: u32 = 40;
-/// Number of parts of the path from the disc's centre along which Newton's method continues if it fails from its
-/// start.
+/// Number of steps from the disc's centre to the target, for points at which Newton's method fails from its start.
 const PATH_PARTS: u32 = 64;
 
-/// Points of a task as arrays: x, y, radius, and image radius, which becomes a scale factor.
+/// Points of a task as arrays: x, y, radius, and radius of the image.
 #[repr(align(64))]
 pub(super) struct PointTile {
     x: [f64; TILE],
@@ -88,8 +87,7 @@ impl RadialLens {
         self.each_point(points, to, refuse, progress, radii, tangential)
     }
 
-    /// Writes the points with the given images. Images of no point within the disc of radius `reach` give NaN, or an
-    /// error if `refuse`.
+    /// Writes the points with the given images; NaN, or an error if `refuse`, if the disc of radius `reach` has none.
     pub fn undistort_points<T: Real>(
         &self,
         points: &[[T; 2]],
@@ -102,8 +100,8 @@ impl RadialLens {
         self.each_point(points, to, refuse, progress, radii, tangential)
     }
 
-    /// Moves points along their radii to the radii that `radii` computes. With tangential terms `tangential` gives the
-    /// result, from the point, its radius and the radius computed by `radii`.
+    /// Moves points along their radii to the radii that `radii` computes. If the lens has tangential terms,
+    /// `tangential` computes the result from the point, its radius, and the radius that `radii` computed.
     fn each_point<T: Real>(
         &self,
         points: &[[T; 2]],
@@ -157,7 +155,8 @@ impl RadialLens {
         (p * factor + self.tangential_at(p), columns)
     }
 
-    /// Searches from the radial root; NaN if the disc contains no root. A root in the disc is unique.
+    /// Returns the root in the disc, of which there is at most one; NaN if there is none. The search begins at `root`,
+    /// the radius without tangential terms.
     fn undistort_point(&self, target: DVec2, r: f64, root: f64) -> DVec2 {
         if !target.is_finite() {
             return DVec2::NAN;
@@ -165,13 +164,13 @@ impl RadialLens {
         let max_radius = 0.999 * self.reach.min(f64::MAX);
         let root = if root.is_nan() { max_radius } else { root };
         let start = if r == 0.0 { target } else { target * (root / r) }.clamp_length_max(max_radius);
-        // If Newton's method fails from the start, the target moves in steps from the disc's centre, whose root is known.
+        // If Newton's method fails from the start, the target moves in steps from the disc's centre, whose root is 0.
         let target_at = |part: u32| target * (f64::from(part) / f64::from(PATH_PARTS));
-        let continued = || (1..=PATH_PARTS).try_fold(DVec2::ZERO, |p, part| self.descend(p, target_at(part)));
-        self.descend(start, target).or_else(continued).unwrap_or(DVec2::NAN)
+        let follow_path = || (1..=PATH_PARTS).try_fold(DVec2::ZERO, |p, part| self.descend(p, target_at(part)));
+        self.descend(start, target).or_else(follow_path).unwrap_or(DVec2::NAN)
     }
 
-    /// Newton's method. A step is shortened until it reduces the residual and stays in the disc.
+    /// Finds a root by Newton's method. Steps are shortened until they reduce the residual and stay in the disc.
     fn descend(&self, mut p: DVec2, target: DVec2) -> Option<DVec2> {
         let (mut image, mut jacobian) = self.image_and_jacobian(p);
         'steps: for _ in 0..NEWTON_STEPS {
@@ -181,8 +180,7 @@ impl RadialLens {
                 break;
             }
             let mut fraction = 1.0;
-            // If no fraction of the step reduces the residual, the point is a root up to rounding, or it lies at the
-            // disc's border.
+            // If no fraction of the step reduces the residual, the point is a root, or at the disc's border.
             while fraction >= 1e-3 {
                 let next = p - fraction * step;
                 let (next_image, next_jacobian) = self.image_and_jacobian(next);

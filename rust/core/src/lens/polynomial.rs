@@ -10,14 +10,13 @@ pub(super) fn derivative(coefficients: &[f64]) -> Vec<f64> {
     coefficients.iter().enumerate().skip(1).map(|(power, c)| power as f64 * c).collect()
 }
 
-/// Returns the smallest x > 0 at which a polynomial that is positive at 0 ceases to be positive, within rounding. A
-/// double zero counts.
+/// Returns the smallest zero x > 0 of a polynomial that is positive at 0, within rounding. Double zeros count.
 pub(super) fn first_zero(coefficients: &[f64]) -> Option<f64> {
     zeros(coefficients).first().copied()
 }
 
-/// Returns all x > 0 where a polynomial changes its sign or touches zero, ascending. Between neighbouring zeros of the
-/// derivative it is monotone, so each sign change there is exactly one zero, which bisection finds.
+/// Returns all zeros x > 0 of a polynomial, ascending. The polynomial is monotone between neighbouring zeros of its
+/// derivative, so each sign change there is exactly one zero, which bisection finds.
 fn zeros(coefficients: &[f64]) -> Vec<f64> {
     let degree = coefficients.iter().rposition(|&c| c != 0.0).unwrap_or(0);
     if degree == 0 {
@@ -41,14 +40,14 @@ fn zeros(coefficients: &[f64]) -> Vec<f64> {
 /// Upper limit of the search for zeros.
 const MAX_ZERO: f64 = 1e100;
 
-/// Returns Fujiwara's bound on the zeros: twice the largest of the roots of coefficient quotients.
+/// Returns Fujiwara's upper bound of the zeros.
 fn zero_bound(coefficients: &[f64]) -> f64 {
     let degree = coefficients.len() - 1;
     let root = |i: usize| (coefficients[i] / coefficients[degree]).abs().powf(1.0 / (degree - i) as f64);
     (2.0 * (0..degree).map(root).fold(f64::MIN_POSITIVE, f64::max)).min(MAX_ZERO)
 }
 
-/// Returns −1, 0 or 1; 0 if the absolute value is below the possible rounding error.
+/// Returns the sign of a polynomial's value; 0 if the value may be a rounding error.
 fn sign(coefficients: &[f64], x: f64) -> f64 {
     let add = |(sum, size): (f64, f64), c: &f64| (sum * x + c, size * x + c.abs());
     let (value, size) = coefficients.iter().rev().fold((0.0, 0.0), add);
@@ -69,14 +68,14 @@ fn bisect(coefficients: &[f64], mut low: f64, mut high: f64) -> f64 {
     }
 }
 
-/// Returns bounds of a polynomial's values on [low, high] with low ≥ 0. The positive terms and the negative terms are
-/// each monotone in x, so the ends bound their sums. The bounds are tight on short intervals.
+/// Returns bounds of a polynomial's values on [low, high] with low ≥ 0. The sum of the positive terms and that of the
+/// negative terms are monotone in x, so their values at the ends bound them. The bounds are tight on short intervals.
 pub(super) fn range(coefficients: &[f64], low: f64, high: f64) -> (f64, f64) {
     let part = |sign: f64, x: f64| coefficients.iter().rev().fold(0.0, |sum, c| sum * x + (sign * c).max(0.0));
     (part(1.0, low) - part(-1.0, high), part(1.0, high) - part(-1.0, low))
 }
 
-/// Returns the maximum absolute value that the bounds of `range` allow.
+/// Returns an upper bound of a polynomial's absolute value on [low, high], from `range`.
 pub(super) fn size(coefficients: &[f64], low: f64, high: f64) -> f64 {
     let (least, greatest) = range(coefficients, low, high);
     least.abs().max(greatest.abs())
@@ -107,7 +106,7 @@ mod tests {
         // Rounding moves a double zero by the square root of one rounding: 1.5e-8.
         assert!((first_zero(&[1.0, -2.0, 1.0]).unwrap() - 1.0).abs() < 1e-7);
         assert_eq!(first_zero(&[1.0, -1.999, 1.0]), None);
-        // A term that matters only at radii far beyond the fold does not hide the fold.
+        // A term that is negligible up to far beyond the first zero does not hide it.
         assert!((first_zero(&[1.0, -0.3, 5e-310]).unwrap() - 10.0 / 3.0).abs() < 1e-14);
     }
 
@@ -125,7 +124,7 @@ mod tests {
         }
 
         #[test]
-        fn ranges_hold_all_values(
+        fn ranges_contain_all_values(
             coefficients in prop::collection::vec(-3.0..3.0f64, 1..6), low in 0.0..2.0f64, width in 0.0..1.0f64,
             share in 0.0..1.0f64,
         ) {

@@ -10,16 +10,16 @@ use crate::base::{Result, ensure};
 
 /// Maximum number of coefficients of a lens.
 const MAX_COEFFICIENTS: usize = 64;
-/// Accepted radii at which the first term may be as large as r: powers of these radii neither overflow nor underflow.
+/// Accepted range of `Radial::unit`. Powers of these radii neither overflow nor underflow.
 const UNIT_RADII: std::ops::Range<f64> = 1e-30..1e30;
 
-/// Magnification of a lens around a direction, at the eye and on the panel. r = tan α / tan ω is the radius of the
-/// direction, r′ = f⁻¹(r) that of its pixel, and tan α′ = tan ω · r′.
+/// Magnification of a lens around a direction. r = tan α / tan ω is the radius of the direction, r′ = f⁻¹(r) the radius
+/// of its pixel, and tan α′ = tan ω · r′.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Magnification {
-    /// sin α′ / sin α: lengths around the axis. 1 beyond the lens's fold.
+    /// sin α′ / sin α: magnification of lengths on a circle around the axis. 1 beyond the lens's fold.
     Across,
-    /// D(α) = (r′/r) (1/f′(r′)) / cos³ α: pixels of the panel, as a multiple of those on the axis. +∞ from the fold on.
+    /// D(α) = (r′/r) (1/f′(r′)) / cos³ α: panel pixels per solid angle, relative to the axis. +∞ from the fold on.
     Panel,
 }
 
@@ -28,7 +28,7 @@ pub enum Magnification {
 pub struct RadialLens {
     pub(super) radial: Radial,
     pub(super) tangential: [f64; 2],
-    /// Radius of a disc in which no two points have the same image: r_max, or less with tangential terms.
+    /// Radius of a disc in which the lens map is injective: r_max, or less with tangential terms.
     pub reach: f64,
     table: OnceLock<Table>,
 }
@@ -71,14 +71,14 @@ impl RadialLens {
         if x <= self.radial.x_max { self.radial.undistort(x) } else { f64::NAN }
     }
 
-    /// Returns the maximum relative error of `InverseMethod::Table`, and the x at which that table ends. Beyond it,
+    /// Returns the maximum relative error of `InverseMethod::Table`, and the x at which the table ends. Beyond that x,
     /// Newton's method computes the inverse.
     pub fn table_bound(&self) -> (f64, f64) {
         self.table().map_or((0.0, f64::INFINITY), |table| (table.bound, table.end))
     }
 
-    /// Writes the magnification of directions, given by tan α ≥ 0. The number of directions is a multiple of `STRETCHED`. The
-    /// inverse comes from the table, or by Newton's method if `exact`.
+    /// Writes the magnification of directions, given by tan α ≥ 0; their number is a multiple of `SPHERES_PER_BLOCK`.
+    /// f⁻¹ comes from the table, or by Newton's method if `exact`.
     pub fn magnify(&self, kind: Magnification, tan_omega: f64, exact: bool, tangents: &[f64], to: &mut [f64]) {
         for (to, tangent) in to.iter_mut().zip(tangents) {
             *to = tangent / tan_omega;
@@ -87,7 +87,7 @@ impl RadialLens {
         for (to, &tangent) in to.iter_mut().zip(tangents) {
             let (r, square) = (*to, *to * *to);
             let secant = 1.0 + tangent * tangent;
-            // r / r′ and f′(r′) as sums of even powers, so that nothing is divided by 0 on the axis.
+            // r / r′ is computed as a sum of even powers, because on the axis it is 0 / 0.
             let quotient = 1.0 + self.radial.k.iter().rev().fold(0.0, |sum, c| (sum + c) * square);
             *to = match kind {
                 Magnification::Across if r.is_nan() => 1.0,
@@ -108,19 +108,19 @@ impl RadialLens {
 
 /// Returns the radius of a disc in which the lens map is provably injective.
 ///
-/// A map of a convex set is injective where the symmetric part of its Jacobian is positive definite. Here the radial
-/// part has the eigenvalues f(r)/r and f′(r), and the eigenvalues of the tangential part, 4 (p₁y + p₂x) ± 2|p|r, are
-/// never below −6|p|r.
+/// A map of a convex set is injective if the symmetric part of its Jacobian is positive definite. The radial part of
+/// this Jacobian has the eigenvalues f(r)/r and f′(r). Its tangential part has the eigenvalues
+/// 4 (p₁y + p₂x) ± 2|p|r, which are at least −6|p|r.
 fn reach(radial: &Radial, tangential: [f64; 2]) -> f64 {
     let p = tangential[0].hypot(tangential[1]);
     if p == 0.0 {
         return radial.r_max;
     }
-    // Returns the first r at which a polynomial in r², minus 6|p|r, vanishes.
-    let first_zero = |in_square: &[f64]| {
-        let mut in_r: Vec<f64> = in_square.iter().flat_map(|&c| [c, 0.0]).collect();
-        in_r[1] = -6.0 * p;
-        polynomial::first_zero(&in_r).unwrap_or(f64::INFINITY)
+    // Returns the first zero r of a polynomial in r², minus 6|p|r.
+    let first_zero = |even_coefficients: &[f64]| {
+        let mut coefficients: Vec<f64> = even_coefficients.iter().flat_map(|&c| [c, 0.0]).collect();
+        coefficients[1] = -6.0 * p;
+        polynomial::first_zero(&coefficients).unwrap_or(f64::INFINITY)
     };
     first_zero(&radial.factor()).min(first_zero(&radial.slope))
 }

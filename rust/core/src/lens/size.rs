@@ -1,4 +1,5 @@
-//! Solid angles of spheres seen through a lens (Liebisch 2021, Eq. 4.10–4.12).
+//! Solid angles of spheres seen through a lens (Liebisch 2021, Eq. 4.10–4.12). Angles from the axis are α without the
+//! lens and α′ with it; μ is half the angle that a sphere subtends.
 
 use std::f64::consts::PI;
 
@@ -7,14 +8,13 @@ use glam::DVec3;
 use super::inverse::LANES;
 use super::radial::RadialLens;
 use crate::base::{Progress, Result, ensure};
-use crate::bounds::{Seen, each_tile};
+use crate::bounds::{SphereView, each_tile};
 
-/// Half angle, relative to the distance to 90° and to the fold, below which an area is computed from the mean of the
-/// lens's magnification at seven points. The relative error of this mean is 10⁻¹⁴; the sum around the edge would lose
-/// more digits by cancellation.
+/// The exact area of a sphere whose half angle is below this fraction of its distance to 90° and to the fold is
+/// computed from the mean magnification at seven points, with a relative error of 10⁻¹⁴. The sum around its edge would
+/// lose more digits by cancellation.
 const SMALL_ANGLE: f64 = 2e-3;
-/// The sum around the edge is refined until its relative change is below `AREA_TOLERANCE` or it has `MAX_PARTS`
-/// parts.
+/// The sum around the edge is refined until it changes by at most this fraction, or has `MAX_PARTS` parts.
 const AREA_TOLERANCE: f64 = 1e-13;
 const MAX_PARTS: usize = 1 << 12;
 /// Spheres between two checks for cancellation.
@@ -35,7 +35,7 @@ pub struct Sizes<'a> {
     pub exact: bool,
 }
 
-/// Writes the solid angles in steradians of the images of spheres. Spheres that extend to 90° from the axis or to the
+/// Writes the solid angles of the images of spheres, steradians. Spheres that extend to 90° from the axis or to the
 /// lens's fold keep their undistorted solid angle.
 pub fn corrected_solid_angles(
     sizes: &Sizes<'_>,
@@ -57,7 +57,7 @@ pub fn corrected_solid_angles(
 }
 
 impl Sizes<'_> {
-    /// Same as `corrected_solid_angles`, for a few spheres that were already checked.
+    /// Same as `corrected_solid_angles`, for a few spheres that have been checked.
     pub fn solid_angles(&self, centers: &[[f64; 3]], radii: &[f64], to: &mut [f64]) {
         let spheres = centers.chunks(LANES / 2).zip(radii.chunks(LANES / 2));
         for ((centers, radii), to) in spheres.zip(to.chunks_mut(LANES / 2)) {
@@ -65,12 +65,12 @@ impl Sizes<'_> {
         }
     }
 
-    /// Processes half a block of spheres: the two edges of each sphere fill a block.
+    /// Processes half a block of spheres, because the two edges of each sphere fill a block.
     fn process_block(&self, centers: &[[f64; 3]], radii: &[f64], to: &mut [f64]) {
         let mut caps = [const { None }; LANES / 2];
         let mut roots = [0.0; LANES];
         for (n, (center, &radius)) in centers.iter().zip(radii).enumerate() {
-            let Some(sphere) = Seen::new(DVec3::from_array(*center) - self.eye, radius) else {
+            let Some(sphere) = SphereView::new(DVec3::from_array(*center) - self.eye, radius) else {
                 to[n] = 4.0 * PI;
                 continue;
             };
@@ -91,7 +91,7 @@ impl Sizes<'_> {
         self.lens.undistort_blocks(&mut roots, true, 0.0);
         for (n, cap) in caps.iter().enumerate() {
             let (far, near) = (roots[2 * n], roots[2 * n + 1]);
-            // Beyond the fold there is no root.
+            // Beyond the fold the root is NaN.
             if let Some(cap) = cap.as_ref().filter(|_| far.is_finite()) {
                 to[n] = match self.exact {
                     false => to[n] * cap.stretch(far, near),
@@ -103,7 +103,7 @@ impl Sizes<'_> {
     }
 }
 
-/// Spherical cap covered by a sphere: directions within μ of its centre, which lies α from the axis.
+/// The spherical cap that a sphere covers: directions within μ of its centre, which is α from the axis.
 pub(super) struct Cap<'a> {
     pub lens: &'a RadialLens,
     /// tan ω
@@ -136,19 +136,18 @@ impl Cap<'_> {
         self.sin_mu < SMALL_ANGLE * self.cos_far() && far - near < SMALL_ANGLE * to_fold
     }
 
-    /// Returns (α⁺ − α⁻) / 2μ with α± = atan(tan ω · f⁻¹(tan(α ± μ) / tan ω)), where a and b are the two values of
-    /// f⁻¹.
+    /// Returns (α⁺ − α⁻) / 2μ with α± = atan(tan ω · f⁻¹(tan(α ± μ) / tan ω)). a and b are the two values of f⁻¹.
     pub fn stretch(&self, a: f64, b: f64) -> f64 {
-        // tan(α+μ) − tan(α−μ) = sin 2μ / (cos(α+μ) cos(α−μ)), and a − b is this divided by tan ω and by the divided
-        // difference of f. In this form nothing cancels, however small the sphere is.
+        // a − b = (tan(α+μ) − tan(α−μ)) / tan ω / (divided difference of f), and tan(α+μ) − tan(α−μ) =
+        // sin 2μ / (cos(α+μ) cos(α−μ)). In this form nothing cancels, however small the sphere is.
         let distorted = 2.0 * self.sin_mu * self.cos_mu / (self.cos_far() * self.cos_near() * self.scale);
         let difference = distorted / divided_difference(&self.lens.radial.k, a, b);
         let angle = (self.scale * difference).atan2(1.0 + self.scale * self.scale * a * b);
         angle / (2.0 * self.sin_mu.atan2(self.cos_mu))
     }
 
-    /// Returns the area of the image: ∮ (1 − cos α′) dφ around its edge, by the trapezoidal rule with 2ⁿ equal steps
-    /// of ψ. By symmetry, half the circle suffices.
+    /// Returns the area of the image: ∮ (1 − cos α′) dφ around its edge, with φ the azimuth about the axis. The
+    /// trapezoidal rule has 2ⁿ equal steps of ψ, the azimuth about the cap's centre, over half the circle.
     fn area(&self) -> f64 {
         let mut parts = 8;
         let mut sum = self.edge_sum(0.0, PI / parts as f64, parts)
@@ -166,8 +165,8 @@ impl Cap<'_> {
         }
     }
 
-    /// Returns the sum of (1 − cos α′) dφ/dψ = Q (x dy/dψ − y dx/dψ) over some ψ, with Q = (1 − cos α′) / sin² α,
-    /// which is smooth on the axis.
+    /// Returns the sum of (1 − cos α′) dφ/dψ over `count` values of ψ. It is Q (x dy/dψ − y dx/dψ) with
+    /// Q = (1 − cos α′) / sin² α, which is smooth on the axis.
     fn edge_sum(&self, from: f64, step: f64, count: usize) -> f64 {
         let mut sum = 0.0;
         for first in (0..count).step_by(LANES) {
@@ -190,18 +189,16 @@ impl Cap<'_> {
         sum
     }
 
-    /// Returns tan² of the angle from the axis, for a direction given by its components away from the axis, around it,
-    /// and along the cap's centre.
+    /// Returns tan² of the angle from the axis of a direction (away from the axis, around it, to the cap's centre).
     fn tan_square(&self, radial: f64, tangential: f64, central: f64) -> f64 {
         let from_axis = central * self.sin_alpha + radial * self.cos_alpha;
         let ahead = central * self.cos_alpha - radial * self.sin_alpha;
         (from_axis * from_axis + tangential * tangential) / (ahead * ahead)
     }
 
-    /// Returns the mean of sin α′ dα′ / (sin α dα) over the cap, by Radon's rule for discs, which is exact for
-    /// polynomials of degree 5.
+    /// Returns the mean of sin α′ dα′ / (sin α dα) over the cap, by Radon's rule for discs, exact up to degree 5.
     fn mean_magnification(&self) -> f64 {
-        // An area-preserving map from the disc to the cap: sin(θ/2) is a fraction of sin(μ/2).
+        // Radius ϱ of the unit disc maps to angle θ from the cap's centre; sin(θ/2) = ϱ sin(μ/2) preserves areas.
         let half = self.sin_mu / (2.0 * (1.0 + self.cos_mu)).sqrt() * (2.0f64 / 3.0).sqrt();
         let (sine, cosine) = (2.0 * half * (1.0 - half * half).sqrt(), 1.0 - 2.0 * half * half);
         let mut squares = [self.tan_square(0.0, 0.0, 1.0); 7];
@@ -224,7 +221,7 @@ impl Cap<'_> {
     }
 }
 
-/// Returns (f(a) − f(b)) / (a − b), as sums of aⁱbʲ.
+/// Returns (f(a) − f(b)) / (a − b), computed from sums of aⁱbʲ.
 fn divided_difference(k: &[f64], a: f64, b: f64) -> f64 {
     let (mut sum, mut power, mut total) = (1.0, 1.0, 1.0);
     for c in k {

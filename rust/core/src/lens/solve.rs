@@ -3,8 +3,7 @@
 use super::exact::residual;
 use super::polynomial;
 
-/// Maximum radius and maximum coefficient. With these limits neither fourth derivatives nor the halves of products
-/// overflow.
+/// Maximum radius and coefficient, so that neither fourth derivatives nor the splits of `two_product` overflow.
 pub(super) const FARTHEST: f64 = 1e290;
 /// Number of Newton steps after which bisection alternates with Newton's method.
 const NEWTON_STEPS: u32 = 20;
@@ -18,14 +17,14 @@ pub(super) struct Radial {
     pub slope: Vec<f64>,
     /// Radius at which f stops increasing; +∞ for lenses without a fold.
     pub r_max: f64,
-    /// f(r_max), rounded, or FARTHEST.
+    /// f(r_max), rounded; at most FARTHEST.
     pub x_max: f64,
-    /// Radius at which the first of the terms is as large as r; +∞ without terms.
+    /// Smallest radius at which a term kᵢ r²ⁱ⁺¹ is as large as r; +∞ without terms.
     pub unit: f64,
 }
 
 impl Radial {
-    /// Finds the radius at which f′ = 0.
+    /// Prepares f, and finds the radius at which f′ = 0.
     pub fn new(k: &[f64]) -> Self {
         let count = k.iter().rposition(|&c| c != 0.0).map_or(0, |last| last + 1);
         let k = k[..count].to_vec();
@@ -34,7 +33,7 @@ impl Radial {
         let r_max = polynomial::first_zero(&slope).map_or(f64::INFINITY, f64::sqrt);
         let r = |(n, c): (usize, &f64)| if *c == 0.0 { f64::INFINITY } else { c.abs().powf(-0.5 / (n + 1) as f64) };
         let unit = k.iter().enumerate().map(r).fold(f64::INFINITY, f64::min);
-        // If f(r_max) overflows, the search ends at FARTHEST.
+        // If f(r_max) overflows, FARTHEST limits the search.
         let end = if r_max.is_finite() { residual(&k, r_max, 0.0) } else { FARTHEST };
         let x_max = if end <= FARTHEST { end } else { FARTHEST };
         Self { k, slope, r_max, x_max, unit }
@@ -80,14 +79,14 @@ impl Radial {
             if residual == 0.0 {
                 return r;
             }
-            // A residual that overflowed also means that r is too large.
+            // An overflow (NaN) also means that r is too large.
             if residual < 0.0 {
                 low = r
             } else {
                 high = r
             }
             let next = r - residual / self.derivative(r);
-            // A step below one rounding ends the search: r is the float nearest to the root, or its neighbour.
+            // The step is smaller than a rounding of r: r is the float nearest to the root, or its neighbour.
             if next == r {
                 return r;
             }
@@ -96,10 +95,10 @@ impl Radial {
             // Near the fold a Newton step may end outside the bracket; then the bracket is halved.
             let is_within = low < next && next < high;
             if middle <= low || middle >= high {
-                return self.better(low, high, x);
+                return self.nearer_root(low, high, x);
             }
             if is_within && is_close {
-                return self.better(r, next, x);
+                return self.nearer_root(r, next, x);
             }
             // If Newton's method has not converged after NEWTON_STEPS, every other step halves the bracket.
             r = if is_within && (step < NEWTON_STEPS || step % 2 == 0) { next } else { middle };
@@ -107,8 +106,8 @@ impl Radial {
         }
     }
 
-    /// Returns the one of two neighbouring floats with the smaller residual.
-    fn better(&self, a: f64, b: f64, x: f64) -> f64 {
+    /// Returns that one of two neighbouring floats which has the smaller residual.
+    fn nearer_root(&self, a: f64, b: f64, x: f64) -> f64 {
         if residual(&self.k, a, x).abs() <= residual(&self.k, b, x).abs() { a } else { b }
     }
 }

@@ -1,5 +1,5 @@
-//! Ratios σ′/σ of many spheres from the table of f⁻¹ (Liebisch 2021, Eq. 4.10–4.12), with σ and σ′ the solid angles
-//! without and with the lens.
+//! Ratios σ′/σ of many spheres, with σ and σ′ the solid angles without and with the lens (Liebisch 2021, Eq.
+//! 4.10–4.12). f⁻¹ comes from a table.
 
 use super::inverse::{LANES, cubic_block};
 use super::radial::RadialLens;
@@ -8,11 +8,10 @@ use super::table::Table;
 use crate::base::simd::vectorized;
 
 /// Number of spheres in a block.
-pub const STRETCHED: usize = LANES;
-/// Maximum squared argument for which the polynomials below hold.
+pub const SPHERES_PER_BLOCK: usize = LANES;
+/// Maximum argument of the polynomials below.
 const MAX_SQUARE: f64 = 0.2;
-/// Minimax polynomials (Remez) of atan(√t)/√t and asin(√t)/√t for t from 0 to MAX_SQUARE. Their error is below
-/// 2.4·10⁻¹².
+/// Minimax polynomials (Remez) of atan(√t)/√t and asin(√t)/√t for t from 0 to MAX_SQUARE, with errors below 2.4·10⁻¹².
 const ATAN: [f64; 8] = [
     0.999_999_999_997_646_7,
     -0.333_333_331_825_106,
@@ -34,23 +33,22 @@ const ASIN: [f64; 8] = [
     0.028_520_557_448_714_78,
 ];
 
-/// Spheres seen from an eye, as arrays of equal length. The length is a multiple of STRETCHED; padding entries of the
-/// last block are ignored.
+/// Spheres seen from an eye, as arrays of equal length, padded to a multiple of `SPHERES_PER_BLOCK`.
 #[derive(Clone, Copy, Debug)]
 pub struct Spheres<'a> {
-    /// Sine of the angle between the centre and the lens's axis, at least 0.
+    /// Sine of α, the angle between the centre and the lens's axis; at least 0.
     pub sin_alpha: &'a [f64],
-    /// Cosine of the same angle.
+    /// Cosine of α.
     pub cos_alpha: &'a [f64],
-    /// Sine of half the subtended angle.
+    /// Sine of μ, half the subtended angle.
     pub sin_mu: &'a [f64],
-    /// Cosine of the same angle.
+    /// Cosine of μ.
     pub cos_mu: &'a [f64],
 }
 
 impl RadialLens {
-    /// Returns (α⁺ − α⁻) / 2μ of each sphere, with a relative error of at most 10⁻⁸; 1 for spheres that extend to 90°
-    /// or to the lens's fold.
+    /// Writes (α⁺ − α⁻) / 2μ of each sphere, see `Cap::stretch`, with a relative error of at most 10⁻⁸; 1 for spheres
+    /// that extend to 90° or to the lens's fold.
     pub fn stretches<'a>(&self, tan_omega: f64, spheres: &Spheres<'a>, to: &mut [f64]) {
         let Some(table) = self.table() else {
             to.fill(1.0);
@@ -103,15 +101,14 @@ vectorized! {
     fn stretch(lens: &LensBend<'_>, block: &SphereBlock<'_>, to: &mut [f64; LANES]) = stretch_block;
 }
 
-/// Computes the stretches of a block. 0 marks spheres beyond the range of the table or the polynomials, which the
-/// caller solves.
+/// Computes the stretches of a block; 0 for spheres beyond the table or polynomials, which the caller solves.
 #[inline(always)]
 fn stretch_block(lens: &LensBend<'_>, block: &SphereBlock<'_>, to: &mut [f64; LANES]) {
     let SphereBlock { sin_alpha, cos_alpha, sin_mu, cos_mu } = block;
     let (mut far, mut near, mut rise) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
     let (mut is_in_range, mut is_behind) = ([false; LANES], [false; LANES]);
     for n in 0..LANES {
-        // Edges of the sphere: tan(α ± μ) / tan ω. One division serves both edges and their distance.
+        // Edges of the sphere: tan(α ± μ) / tan ω. Both edges and their distance share one division.
         let (cos_cos, sin_sin) = (cos_alpha[n] * cos_mu[n], sin_alpha[n] * sin_mu[n]);
         let (cos_far, cos_near) = (cos_cos - sin_sin, cos_cos + sin_sin);
         let (sin_cos, cos_sin) = (sin_alpha[n] * cos_mu[n], cos_alpha[n] * sin_mu[n]);
@@ -128,7 +125,7 @@ fn stretch_block(lens: &LensBend<'_>, block: &SphereBlock<'_>, to: &mut [f64; LA
     for n in 0..LANES {
         b[n] = b[n].copysign(near[n]);
     }
-    // The divided difference of f between the two roots, as in `size`.
+    // The divided difference of f between the two roots, as in `size::divided_difference`.
     let (mut sum, mut power, mut total) = ([1.0; LANES], [1.0; LANES], [1.0; LANES]);
     for &c in lens.k {
         for n in 0..LANES {

@@ -1,21 +1,21 @@
 //! Piecewise cubic table of f⁻¹, with an error bound.
 //!
-//! Nodes are floats whose mantissas end in zeros, so the bits of x are the number of its interval followed by its
-//! position in the interval. The distance between nodes grows with x, while the curvature of f⁻¹ falls.
+//! Nodes are floats whose mantissas end in zeros. So the high bits of x are the number of its interval, and the low
+//! bits its position in the interval. The distance between nodes grows with x, while the curvature of f⁻¹ falls.
 
 use super::polynomial::{derivative, range, size};
 use super::solve::Radial;
 
-/// Maximum relative error of the table. It keeps the error below 10⁻⁹ for headset radii, up to 2.
+/// Maximum relative error of the table. For a headset's radii, up to 2, the error is then at most 10⁻⁹.
 const TOLERANCE: f64 = 5e-10;
-/// Maximum relative error of a start value for Newton's method.
+/// Maximum relative error of start values for Newton's method, which the table gives beyond `end`.
 const START_TOLERANCE: f64 = 1e-5;
-/// Range of log₂ x, in units of the lens, that has nodes. One interval lies below it.
+/// Range of log₂ x, relative to the lens's unit, that has nodes. One interval lies below it.
 const OCTAVES: std::ops::Range<i32> = -8..4;
-/// log₂ of the number of intervals per octave; the table uses the smallest number that meets the tolerance.
+/// log₂ of the number of intervals per octave. The smallest number that meets the tolerance is used.
 const FINENESS: std::ops::RangeInclusive<u32> = 5..=9;
-/// Radius up to which a table should meet its tolerance: relative to r_max or, without a fold, to the lens's unit.
-const WANTED_RANGE: (f64, f64) = (0.9, 4.0);
+/// Radius up to which a table should meet its tolerance: fraction of r_max or, without a fold, multiple of the unit.
+const REQUIRED_RANGE: (f64, f64) = (0.9, 4.0);
 
 const MANTISSA: u32 = f64::MANTISSA_DIGITS - 1;
 
@@ -41,8 +41,8 @@ pub(super) struct Table {
 impl Table {
     /// Creates a table with the number of nodes that the tolerance requires.
     pub fn new(lens: &Radial) -> Self {
-        let (of_fold, of_unit) = WANTED_RANGE;
-        let end = lens.distort(if lens.r_max.is_finite() { of_fold * lens.r_max } else { of_unit * lens.unit });
+        let (fraction, multiple) = REQUIRED_RANGE;
+        let end = lens.distort(if lens.r_max.is_finite() { fraction * lens.r_max } else { multiple * lens.unit });
         let mut table = Self::with_fineness(lens, *FINENESS.start());
         for fineness in FINENESS.skip(1) {
             if table.end >= end.min(table.start_end) {
@@ -81,7 +81,7 @@ impl Table {
             from = to;
         }
         if table.cubics.is_empty() {
-            // Kernels always read one cubic; `end` is 0, so its value is not used.
+            // Kernels always read a cubic, but ignore its value because `end` is 0.
             table.cubics.push([0.0; 4]);
         }
         table
@@ -125,15 +125,15 @@ impl Derivatives {
     /// interval's width, plus four roundings of the result. g⁗ = −(15 f″³ − 10 f′f″f‴ + f′²f⁗) / f′⁷.
     fn bound(&self, from: &InverseNode, to: &InverseNode) -> f64 {
         let Self([first, second, third, fourth]) = self;
-        // Nodes are correct to one rounding; the interval is widened by more than that.
+        // The interval is widened by more than the nodes' rounding error.
         let (low, high) = (from.r * (1.0 - 1e-14), to.r * (1.0 + 1e-14));
         let steepness = size(first, low, high);
         let (two, three, four) = (size(second, low, high), size(third, low, high), size(fourth, low, high));
         let numerator = 15.0 * two.powi(3) + 10.0 * steepness * two * three + steepness * steepness * four;
         let denominator = range(first, low, high).0.max(0.0).powi(7);
         let width = to.x - from.x;
-        // x² (h−x)² is at most h⁴/16, divided by the minimum r. For an interval from zero, x² (h−x)²/x is at most
-        // 4h³/27, and r ≥ x / max f′.
+        // The error relative to r: x² (h−x)² is at most h⁴/16, and r is at least that of the first node. For an
+        // interval from zero, x² (h−x)²/x is at most 4h³/27, and r ≥ x / max f′.
         let factor = if from.x > 0.0 { width.powi(4) / 16.0 / from.r } else { 4.0 / 27.0 * width.powi(3) * steepness };
         factor / 24.0 * numerator / denominator + 4.0 * f64::EPSILON
     }

@@ -6,7 +6,7 @@ use super::exact::residual;
 use super::*;
 use crate::base::Progress;
 
-/// Returns whether r is the root: its residual is below two ulps, or its neighbours lie on both sides of the root.
+/// Returns whether r is the root: its residual is at most two ulps, or its neighbours lie on both sides of the root.
 fn is_root(k: &[f64], r: f64, x: f64) -> bool {
     let ulp = x.abs() * f64::EPSILON;
     residual(k, r, x).abs() <= 2.0 * ulp || residual(k, r.next_down(), x) <= 0.0 && residual(k, r.next_up(), x) >= 0.0
@@ -29,8 +29,8 @@ fn every_radius_of_a_headset_is_inverted() {
         lens.undistort_all(&x, &mut cubic, InverseMethod::Table, true, &Progress::new()).unwrap();
         let (bound, _) = lens.table_bound();
         assert!(bound <= 5e-10, "{k:?} {bound}");
-        for (x, (one, other)) in x.iter().zip(cubic.iter().zip(&r)) {
-            assert!((one - other).abs() <= bound * other, "{k:?} {x} {one} {other} {bound}");
+        for (x, (cubic, exact)) in x.iter().zip(cubic.iter().zip(&r)) {
+            assert!((cubic - exact).abs() <= bound * exact, "{k:?} {x} {cubic} {exact} {bound}");
         }
     }
 }

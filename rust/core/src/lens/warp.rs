@@ -1,4 +1,4 @@
-//! Warped pictures: a lens's distortion, or its inverse, which the lens undoes.
+//! Warping of pictures by a lens's distortion, or by its inverse so that the lens undoes the warp.
 
 use std::ops::Range;
 
@@ -41,7 +41,7 @@ macro_rules! pixel {
         }
     )*};
 }
-// Casts saturate, so a cubic's overshoot is clamped to black or white.
+// Casts saturate, so overshoots of the cubic filter are clamped to black or white.
 pixel! {
     u8: v => v.round_ties_even() as u8;
     u16: v => v.round_ties_even() as u16;
@@ -71,29 +71,28 @@ pub struct WarpView {
     pub to: Fov,
     /// Tangent at which r = 1.
     pub tan_omega: f64,
-    /// If true, a pixel at r moves to f(r), as through the lens; otherwise to f⁻¹(r), so that the lens undoes it.
+    /// Whether a pixel at r moves to f(r), as the lens moves it; otherwise to f⁻¹(r), so that the lens undoes the warp.
     pub distort: bool,
 }
 
 impl WarpView {
-    /// Returns pixels per unit of r in a picture with that field of view: across and down.
+    /// Returns the pixels per unit of r, across and down, of a picture with a field of view.
     pub(super) fn density(&self, fov: &Fov, width: usize, height: usize) -> [f64; 2] {
         [width as f64 / (fov.right - fov.left), height as f64 / (fov.up - fov.down)].map(|each| each * self.tan_omega)
     }
 
-    /// Returns the position in units of the lens, y up, of a point given as fractions from the target picture's top
-    /// left corner.
+    /// Converts fractions from the target picture's top left corner to units of the lens, y up.
     pub(super) fn lens_position(&self, across: f64, down: f64) -> [f64; 2] {
         (self.to.point(across, down) / self.tan_omega).to_array()
     }
 
-    /// Returns a position in units of the lens as fractions from the source picture's top left corner.
+    /// Converts units of the lens to fractions from the source picture's top left corner.
     pub(super) fn source_fraction(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         let Fov { left, right, down, up } = self.from;
         [(x * self.tan_omega - left) / (right - left), (up - y * self.tan_omega) / (up - down)]
     }
 
-    /// Returns the source position of each point of the target picture; NaN if there is none.
+    /// Writes the source position of each point of the target picture; NaN if there is none.
     pub(super) fn sources(
         &self,
         lens: &RadialLens,
@@ -115,8 +114,8 @@ impl WarpView {
     }
 }
 
-/// Produces the target picture row by row. `lenses` holds one lens, or one per channel. Pixels without a source are
-/// set to `fill`.
+/// Writes the target picture, `width` pixels wide. `lenses` holds one lens, or one per channel. Pixels without a source
+/// are set to `fill`.
 #[expect(clippy::too_many_arguments, reason = "a picture, a view, and where the result goes")]
 pub fn warp<P: WarpPixel>(
     lenses: &[RadialLens],
@@ -148,7 +147,7 @@ pub fn warp<P: WarpPixel>(
 }
 
 vectorized! {
-    /// Writes some channels of a row of pixels; `positions` are their positions in the image as fractions.
+    /// Writes some channels of a row of pixels. `positions` are fractions of the image.
     fn mix_row<P: WarpPixel>(
         image: &Image<'_, P>,
         positions: &[[f64; 2]],
@@ -196,8 +195,7 @@ fn mix_by<P: WarpPixel, const N: usize>(
 }
 
 impl<P: WarpPixel> Image<'_, P> {
-    /// Returns the column and row of a position given as fractions, 0 at the first centres; `None` outside the
-    /// picture.
+    /// Converts fractions to column and row, 0 at the first pixel's centre; `None` outside the picture.
     #[inline(always)]
     fn position_of(&self, [across, down]: [f64; 2]) -> Option<[f64; 2]> {
         let within = (0.0..=1.0).contains(&across) && (0.0..=1.0).contains(&down);

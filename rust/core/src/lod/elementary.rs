@@ -1,18 +1,18 @@
-//! Exponential function and logarithm in plain arithmetic, which the compiler can vectorise and which gives the same
-//! bits on every machine, unless operations are fused.
+//! Exponential function and logarithm in basic arithmetic, which the compiler can vectorise. Without fused operations
+//! they return the same bits on every machine.
 
 use crate::base::Real;
 
-/// Maximum |t|: shortly beyond ±700 the exponential overflows, and the logistic function is 0 or 1 to 300 digits.
+/// Maximum |t|. Beyond about 709 the exponential overflows; at 700 the logistic function is 0 or 1 to 300 digits.
 const FARTHEST: f64 = 700.0;
 
 /// 1.5 · 2⁵². Adding it to a number leaves the nearest integer in the low bits.
 const TO_INTEGER: f64 = 6_755_399_441_055_744.0;
-/// ln 2 as the sum of two parts; products of the first part with numbers of up to 11 bits are exact.
+/// ln 2 as the sum of two parts. Products of the first part and integers of up to 11 bits are exact.
 const LN_2: [f64; 2] = [6.931_471_803_691_238e-1, 1.908_214_929_270_587_7e-10];
 
-/// Returns e^t for |t| ≤ 700, with an error of at most 2 ulp. t = n ln 2 + r with |r| ≤ ln 2/2; the first omitted term
-/// of the Taylor series of e^r is below 2⁻⁵⁷.
+/// Returns e^t with an error of at most 2 ulp; t is clamped to ±700. With t = n ln 2 + r and |r| ≤ ln 2/2, the result
+/// is 2ⁿ e^r, and the first omitted term of the Taylor series of e^r is below 2⁻⁵⁷.
 #[inline(always)]
 pub(super) fn exp<const FUSED: bool>(t: f64) -> f64 {
     /// 1/n!
@@ -45,13 +45,13 @@ fn polynomial<const FUSED: bool, const COUNT: usize>(coefficients: &[f64; COUNT]
     sum
 }
 
-/// Returns ln x for 0 ≤ x < ∞, with an error of at most 3 ulp. x = 2ⁿ m with √½ ≤ m < √2, and ln m = 2 artanh s =
-/// 2 (s + s³/3 + s⁵/5 + …) with s = (m − 1)/(m + 1), |s| < 0.172; the first omitted term is below 2⁻⁵⁷ of the first.
+/// Returns ln x for 0 ≤ x < ∞, with an error of at most 3 ulp. With x = 2ⁿ m, √½ ≤ m < √2 and s = (m − 1)/(m + 1), it
+/// is n ln 2 + 2 (s + s³/3 + s⁵/5 + …). |s| is below 0.172; the first omitted term is below 2⁻⁵⁷ of the first.
 #[inline(always)]
 pub(super) fn ln<const FUSED: bool>(x: f64) -> f64 {
     /// Factor that scales subnormal numbers to normal ones.
     const LIFT: f64 = (1u64 << 54) as f64;
-    /// Bits that, added to those of a number of at least √½, leave its exponent in the top bits.
+    /// Difference of the bits of 1 and √½. Adding it to the bits of x makes the top bits the exponent n.
     const FROM_ROOT: u64 = 1.0f64.to_bits() - std::f64::consts::FRAC_1_SQRT_2.to_bits();
     /// 1/(2n+1)
     const SERIES: [f64; 11] = {

@@ -1,8 +1,6 @@
-//! Levels of detail: `simplify` makes coarser surfaces, `fit` fits four-parameter curves to a level's quality as a
-//! function of its size, `select` chooses each object's level by these curves.
-//!
-//! Liebisch: Level of Detail Selection for Foveated Rendering in Virtual Reality, TU Graz 2021. Curves: y = d +
-//! (a−d)/(1+(x/c)^b).
+//! Levels of detail (Liebisch: Level of Detail Selection for Foveated Rendering in Virtual Reality, TU Graz 2021).
+//! `simplify` makes coarser surfaces. `fit` fits curves y = d + (a−d)/(1+(x/c)^b) to a level's quality y by its size x.
+//! With them, `select` chooses each object's coarsest sufficient level, `budget` the levels under a triangle budget.
 
 mod budget;
 mod elementary;

@@ -1,4 +1,4 @@
-//! Kernels over blocks of a row of a depth buffer, written so that the compiler vectorises them.
+//! Kernels over blocks of a depth buffer's rows, written so that the compiler vectorises them.
 
 use crate::base::Real;
 use crate::base::simd::vectorized;
@@ -13,7 +13,7 @@ pub struct DepthRow {
     pub start: [f64; 2],
     /// Change of the tangents from one pixel to the next.
     pub step: [f64; 2],
-    /// Inverse distances along the viewing axis at depths 0 and 1; for parallel rays the distances themselves.
+    /// Inverse distances along the viewing axis at depths 0 and 1; distances for parallel rays.
     pub ends: [f64; 2],
     /// Depth of pixels where nothing was drawn: 0 or 1.
     pub background: f64,
@@ -33,15 +33,15 @@ pub trait Depth: Copy + Into<f64> + Send + Sync + 'static {
 
 /// Types of ranges that can be converted to depths: float32 or float64.
 pub trait Ranged: Depth<Range = Self> + Real {
-    /// Relative distance by which a point may lie before the near plane.
+    /// Distance by which a point may lie in front of the near plane, relative to the plane's distance.
     const NEAR_TOLERANCE: f64;
 }
 
 vectorized! {
-    /// Writes the ranges of a block. Returns true if a value is no valid depth.
+    /// Writes the ranges of a block. Returns true if a depth is invalid; its range is NaN.
     pub fn ranges<T: Depth>(row: &DepthRow, column: i32, depth: &[T; BLOCK], ranges: &mut [T::Range; BLOCK]) -> bool
         = ranges_kernel;
-    /// Writes the depths of a block. Returns true if a range is negative or lies before the near plane.
+    /// Writes the depths of a block. Returns true if a range is negative or before the near plane; its depth is NaN.
     pub fn depths<T: Ranged>(row: &DepthRow, column: i32, ranges: &[T; BLOCK], depth: &mut [T; BLOCK]) -> bool
         = depths_kernel;
 }
@@ -50,7 +50,7 @@ vectorized! {
 #[repr(align(64))]
 struct PixelLanes([f64; BLOCK]);
 
-/// Writes the length of the direction through each column of a block, scaled to 1 along the viewing axis.
+/// Writes the length of the direction through each column of a block. Directions have length 1 along the viewing axis.
 #[inline(always)]
 fn secants(row: &DepthRow, column: i32, secants: &mut PixelLanes) {
     let [[x, y], [dx, dy]] = [row.start, row.step];
@@ -65,7 +65,7 @@ fn secants(row: &DepthRow, column: i32, secants: &mut PixelLanes) {
 
 #[inline(always)]
 fn ranges_kernel<T: Depth>(row: &DepthRow, column: i32, depth: &[T; BLOCK], ranges: &mut [T::Range; BLOCK]) -> bool {
-    // For integers the ends are divided by `MAX` here, once instead of per pixel.
+    // Dividing by `MAX` here saves a division per pixel.
     let [low, high] = [row.ends[0] / T::MAX, row.ends[1] / T::MAX];
     let background = row.background * T::MAX;
     let mut lengths = PixelLanes([1.0; BLOCK]);
@@ -77,7 +77,7 @@ fn ranges_kernel<T: Depth>(row: &DepthRow, column: i32, depth: &[T; BLOCK], rang
         let value: f64 = depth[i].into();
         let axial = low * (T::MAX - value) + high * value;
         let range = if row.parallel { axial } else { lengths.0[i] / axial };
-        // Background, or a point beyond infinity: a matrix may place its far plane there.
+        // Background, or a point beyond infinity, where a projection matrix may place its far plane.
         let is_background = (value == background) | (axial < 0.0);
         let range = if is_background { f64::INFINITY } else { range };
         let is_valid = (value >= 0.0) & (value <= T::MAX);

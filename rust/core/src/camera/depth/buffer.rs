@@ -6,8 +6,7 @@ use super::super::view::Projection;
 use super::block::{self, BLOCK, Depth, DepthRow, Ranged};
 use crate::base::{Error, Progress, Result, ensure, number};
 
-/// Kernel over one block: (row, first column, values, results). It returns true if it refused a value, whose result is
-/// then NaN.
+/// Kernel over one block: (row, first column, values, results). Returns true if it refuses a value, with result NaN.
 type Kernel<T, U> = fn(&DepthRow, i32, &[T; BLOCK], &mut [U; BLOCK]) -> bool;
 
 /// Number of pixels in one task.
@@ -29,9 +28,9 @@ pub struct Planes {
 pub struct DepthBuffer {
     width: usize,
     height: usize,
-    /// Inverse distances along the viewing axis at depths 0 and 1; for parallel rays the distances themselves.
+    /// Inverse distances along the viewing axis at depths 0 and 1; distances for parallel rays.
     ends: [f64; 2],
-    /// Index in `ends` of the depth where nothing was drawn.
+    /// Depth where nothing was drawn, 0 or 1; an index into `ends`.
     background: usize,
     parallel: bool,
     /// Tangents x, y of the direction through the first pixel's centre.
@@ -67,9 +66,9 @@ impl DepthBuffer {
         })
     }
 
-    /// Creates the buffer of a projection matrix, given by rows, which multiplies columns (x, y, z, 1). Its depth runs
-    /// from `low` (0 or −1) to 1 and is stored as 0 to 1; y points up. The planes, reversed depth, an off-axis view
-    /// and the viewing direction (−z or z) follow from the matrix.
+    /// Creates the buffer of a projection matrix, given by rows; it multiplies column vectors (x, y, z, 1). The
+    /// projected depth runs from `low` (0 or −1) to 1 and is stored as 0 to 1; y points up. The matrix determines the
+    /// planes, whether depth is reversed, an off-axis view, and the viewing direction (−z or z).
     pub fn from_matrix(rows: [[f64; 4]; 4], low: f64, width: usize, height: usize) -> Result<Self> {
         let got = format!("{rows:?}");
         let are_finite = rows.as_flattened().iter().all(|entry| entry.is_finite());
@@ -95,7 +94,7 @@ impl DepthBuffer {
         let near = usize::from((ends[1] > ends[0]) != parallel);
         let ahead = if parallel { ends[0].min(ends[1]) >= 0.0 } else { ends[near] > 0.0 };
         let is_valid = ahead && ends[0] != ends[1] && ends.iter().all(|end| end.is_finite());
-        let expected = "a matrix whose near plane lies before the eye and its far plane behind that";
+        let expected = "a matrix with its near plane in front of the eye and its far plane beyond the near plane";
         ensure!(is_valid, "projection", expected, got);
         // The inverse of the matrix's 2 × 2 part maps the image's corner and pixel steps to tangents.
         let tangents_of = |p: [f64; 2]| [(e * p[0] - b * p[1]) / determinant, (a * p[1] - d * p[0]) / determinant];
@@ -112,20 +111,18 @@ impl DepthBuffer {
         })
     }
 
-    /// Writes the distances from the eye in metres; infinite where nothing was drawn. `depth` holds one or more images
-    /// of the view.
+    /// Writes the distances from the eye in metres, ∞ where nothing was drawn. `depth` holds one or more images.
     pub fn ranges<T: Depth>(&self, depth: &[T], ranges: &mut [T::Range], progress: &Progress) -> Result<()> {
         self.run_kernel(depth, ranges, block::ranges, ("depth", T::EXPECTED), progress)
     }
 
-    /// Writes the depths at distances from the eye: the inverse of `ranges`. Points beyond the far plane get the
-    /// background's depth.
+    /// Writes the depths at distances from the eye, the inverse of `ranges`; background beyond the far plane.
     pub fn depths<T: Ranged>(&self, ranges: &[T], depth: &mut [T], progress: &Progress) -> Result<()> {
-        let refusal = ("ranges", "distances that are not before the near plane");
+        let refusal = ("ranges", "distances at or beyond the near plane");
         self.run_kernel(ranges, depth, block::depths, refusal, progress)
     }
 
-    /// Runs a kernel over all rows. The error of the first refused value states the argument and what it accepts.
+    /// Runs a kernel over all rows. Fails at the first refused value, with the argument's name and accepted values.
     fn run_kernel<T: Copy + Into<f64> + Sync, U: Copy + Default + Into<f64> + Send>(
         &self,
         values: &[T],
@@ -172,7 +169,7 @@ impl DepthBuffer {
     }
 }
 
-/// Runs a kernel over one row. Returns whether a value was refused; its result is NaN, which no valid value gives.
+/// Runs a kernel over one row. Returns whether a value was refused; only refused values have the result NaN.
 fn run_row<T: Copy, U: Copy + Default>(row: &DepthRow, values: &[T], results: &mut [U], kernel: Kernel<T, U>) -> bool {
     let (blocks, remaining) = values.as_chunks::<BLOCK>();
     let (block_results, remaining_results) = results.as_chunks_mut::<BLOCK>();
@@ -182,8 +179,7 @@ fn run_row<T: Copy, U: Copy + Default>(row: &DepthRow, values: &[T], results: &m
         column += BLOCK as i32;
     }
     if let Some(&last) = remaining.last() {
-        // The rest is padded to a block. The kernel may refuse a padded column although it accepts the row's own
-        // values.
+        // The remaining values are padded to a block. The kernel may refuse a value only in a padded column.
         let (mut block, mut padded) = ([last; BLOCK], [U::default(); BLOCK]);
         block[..remaining.len()].copy_from_slice(remaining);
         refused |= kernel(row, column, &block, &mut padded);

@@ -24,10 +24,10 @@ fn a_matrix_agrees_with_planes_and_tangents() {
         [0.0, 0.0, -1.0, 0.0],
     ];
     let planes = Planes { near: n, far: f, reverse: true };
-    let one = DepthBuffer::new(Projection::Perspective(FOV), planes, 70, 3).unwrap();
-    let other = DepthBuffer::from_matrix(rows, 0.0, 70, 3).unwrap();
+    let from_planes = DepthBuffer::new(Projection::Perspective(FOV), planes, 70, 3).unwrap();
+    let from_matrix = DepthBuffer::from_matrix(rows, 0.0, 70, 3).unwrap();
     let depth: Vec<f64> = (0..420).map(|i| f64::from(i) / 419.0).collect();
-    for (a, b) in ranges(&one, &depth).into_iter().zip(ranges(&other, &depth)) {
+    for (a, b) in ranges(&from_planes, &depth).into_iter().zip(ranges(&from_matrix, &depth)) {
         // The rounding of the matrix's entries grows by the factor f/n at the far plane.
         assert!(a == b || (a / b - 1.0).abs() < 1e-11, "{a} {b}");
     }

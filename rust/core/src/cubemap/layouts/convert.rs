@@ -1,12 +1,12 @@
-//! Conversion of pictures between layouts; the directions and texels of a layout.
+//! Conversion of pictures between layouts; directions of a layout's texels, and texels that directions hit.
 
 use glam::DVec3;
 use rayon::prelude::*;
 
 use super::super::faces::{CubeFaces, check_out};
 use super::super::lookup::{
-    BLOCK, BlockValues, SampledPicture, Sampler, TexelFilter, copy_texels, cube_sampler, find_texels, in_blocks,
-    in_tiles, is_zero_or_not_finite,
+    BLOCK, BlockValues, SampledPicture, Sampler, TexelFilter, copy_texels, cube_sampler, find_texels,
+    is_zero_or_not_finite, process_blocks, process_tiles,
 };
 use super::flat;
 use super::layout::{Grid, GridRows, Layout};
@@ -16,8 +16,8 @@ use crate::base::{Progress, Real, Result, ensure, memory::room_for};
 /// Number of texels whose directions are computed and looked up together.
 const SEGMENT: usize = 512;
 
-/// Converts a picture to another layout. Each texel gets the mean, minimum or maximum of `samples`² evenly spaced
-/// look-ups, according to the filter.
+/// Converts a picture to another layout. A texel is the mean, minimum or maximum (depending on the filter) of
+/// `samples`² evenly spaced look-ups.
 pub fn convert<T: Real>(
     picture: Panorama<'_, T>,
     target: Grid,
@@ -32,7 +32,7 @@ pub fn convert<T: Real>(
         return Ok(());
     }
     let rows = GridRows::new(target, samples)?;
-    // Memory of the per-thread arrays in `resample`.
+    // Arrays of each thread in `resample`.
     room_for(((size_of::<T>() + size_of::<f64>()) * SEGMENT * channels * rayon::current_num_threads()) as u64)?;
     if picture.grid.layout == Layout::Cube {
         let faces = CubeFaces::new(picture.values, picture.grid.width, channels)?;
@@ -51,7 +51,7 @@ fn resample<T: Real, S: SampledPicture<T> + Sync>(
     progress: &Progress,
 ) -> Result<()> {
     let (channels, filter) = (source.texels.channels, source.texels.filter);
-    // Progress counts segments, not rows: a row of many samples takes minutes.
+    // Progress counts segments, not rows: with many samples a row takes minutes.
     progress.expect(u64::from(target.rows()) * (target.width as usize).div_ceil(SEGMENT) as u64);
     out.par_chunks_mut(target.width as usize * channels).zip(0..target.rows()).try_for_each(|(out, row)| {
         let mut directions = [[0.0; 3]; SEGMENT];
@@ -104,7 +104,7 @@ pub fn convert_nearest<T: Copy + Send + Sync>(
         for (segment, out) in out.chunks_mut(SEGMENT * channels).enumerate() {
             let directions = &mut directions[..out.len() / channels];
             rows.write(0, row, (segment * SEGMENT) as u32, directions);
-            in_blocks(directions, out, channels, |block, out| {
+            process_blocks(directions, out, channels, |block, out| {
                 match picture.grid.layout {
                     Layout::Cube => drop(find_texels(block, picture.grid.width, &mut texels)),
                     _ => flat::find_texels(block, picture.grid, &mut texels),
@@ -120,7 +120,7 @@ pub fn convert_nearest<T: Copy + Send + Sync>(
 /// Writes the number of the texel that each direction hits.
 pub fn grid_texels<D: Real>(grid: Grid, directions: &[[D; 3]], out: &mut [i64], progress: &Progress) -> Result<()> {
     ensure!(out.len() == directions.len(), "out", format!("{} numbers", directions.len()), out.len());
-    in_tiles(directions, out, 1, progress, |directions, out| {
+    process_tiles(directions, out, 1, progress, |directions, out| {
         for (d, number) in directions.iter().zip(out) {
             if !is_zero_or_not_finite(d) {
                 *number = grid.texel(DVec3::from_array(d.map(Real::wide))).into();

@@ -1,11 +1,12 @@
-//! Block look-ups in layouts without faces.
+//! Block look-ups in flat layouts, those without faces: equirectangular and octahedral.
 
-use super::super::lookup::{BLOCK, BlockValues, Placed, clamped_floor, index};
+use super::super::lookup::{BLOCK, BlockValues, Positions, clamped_floor, index};
 use super::layout::{Grid, Layout};
 use super::projections::{equirectangular, octahedral};
 use crate::base::simd::vectorized;
 
-/// Returns the positions of a block's directions (finite, not zero, of moderate length), 0 to 1 across and down.
+/// Returns the positions of a block's directions, 0 to 1 across and down. Directions are finite, not zero, and neither
+/// so long nor so short that their squares overflow or underflow.
 #[inline(always)]
 fn positions<const OCTAHEDRAL: bool>(d: &[[f64; 3]; BLOCK]) -> [BlockValues<f64>; 2] {
     let mut p = [BlockValues([0.0f64; BLOCK]); 3];
@@ -24,10 +25,10 @@ fn positions<const OCTAHEDRAL: bool>(d: &[[f64; 3]; BLOCK]) -> [BlockValues<f64>
     found
 }
 
-/// Finds the texels around each direction. A direction is at a seam if its filter crosses an edge of the picture;
-/// `reach` is the number of texels that the filter reads before and after the texel above and to the left.
+/// Finds each direction's position between texels. A direction is at a seam if its filter crosses an edge of the
+/// picture. `reach` is `TexelFilter::reach`.
 #[inline(always)]
-fn find_places_kernel<const OCTAHEDRAL: bool>(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32; 2], out: &mut Placed) {
+fn locate_kernel<const OCTAHEDRAL: bool>(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32; 2], out: &mut Positions) {
     let [across, down] = positions::<OCTAHEDRAL>(d);
     let (width, height) = (f64::from(grid.width), f64::from(grid.height));
     let low = f64::from(reach[0]);
@@ -56,21 +57,21 @@ fn find_texels_kernel<const OCTAHEDRAL: bool>(d: &[[f64; 3]; BLOCK], grid: Grid,
 }
 
 vectorized! {
-    fn find_octahedral_places(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32; 2], out: &mut Placed) = find_places_kernel::<true>;
-    fn find_equirectangular_places(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32; 2], out: &mut Placed) = find_places_kernel::<false>;
+    fn locate_octahedral(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32; 2], out: &mut Positions) = locate_kernel::<true>;
+    fn locate_equirectangular(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32; 2], out: &mut Positions) = locate_kernel::<false>;
     fn find_octahedral_texels(d: &[[f64; 3]; BLOCK], grid: Grid, texel: &mut BlockValues<u32>) = find_texels_kernel::<true>;
     fn find_equirectangular_texels(d: &[[f64; 3]; BLOCK], grid: Grid, texel: &mut BlockValues<u32>) = find_texels_kernel::<false>;
 }
 
-/// Same as `find_places_kernel`, for any layout without faces.
-pub(super) fn find_places(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32; 2], out: &mut Placed) {
+/// Calls `locate_kernel` for the grid's layout.
+pub(super) fn locate(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32; 2], out: &mut Positions) {
     match grid.layout {
-        Layout::Octahedral => find_octahedral_places(d, grid, reach, out),
-        _ => find_equirectangular_places(d, grid, reach, out),
+        Layout::Octahedral => locate_octahedral(d, grid, reach, out),
+        _ => locate_equirectangular(d, grid, reach, out),
     }
 }
 
-/// Same as `find_texels_kernel`, for any layout without faces.
+/// Calls `find_texels_kernel` for the grid's layout.
 pub(super) fn find_texels(d: &[[f64; 3]; BLOCK], grid: Grid, texel: &mut BlockValues<u32>) {
     match grid.layout {
         Layout::Octahedral => find_octahedral_texels(d, grid, texel),

@@ -40,8 +40,8 @@ pub struct Grid {
 }
 
 impl Grid {
-    /// Creates a grid; checks its size: cubes and octahedra are square, equirectangular pictures have an even width,
-    /// and the number of texels is limited.
+    /// Creates a grid. Fails unless faces of cubes and octahedral pictures are square, equirectangular pictures have an
+    /// even width, and the sides are within the limits.
     pub fn new(layout: Layout, height: u32, width: u32) -> Result<Self> {
         let limit = if layout == Layout::Cube { MAX_SIZE } else { 2 * MAX_SIZE };
         let size = || format!("{height} × {width}");
@@ -55,12 +55,12 @@ impl Grid {
         Ok(Self { layout, height, width })
     }
 
-    /// Number of rows of all faces.
+    /// Returns the number of rows of all faces.
     pub fn rows(&self) -> u32 {
         if self.layout == Layout::Cube { 6 * self.height } else { self.height }
     }
 
-    /// Number of texels of all faces.
+    /// Returns the number of texels of all faces.
     pub fn texels(&self) -> usize {
         self.rows() as usize * self.width as usize
     }
@@ -71,11 +71,11 @@ impl Grid {
             return texel_from_direction(d, self.width);
         }
         let p = self.position(d);
-        // Casts saturate at 0; a position on the last edge belongs to the last texel.
+        // Casts saturate at 0; positions on the right and bottom edge belong to the last texel.
         (p.y as u32).min(self.height - 1) * self.width + (p.x as u32).min(self.width - 1)
     }
 
-    /// Returns the position of a direction (finite, not zero) in a layout without faces, texels.
+    /// Returns the position in texels of a direction (finite, not zero) in a flat layout.
     pub fn position(&self, d: DVec3) -> DVec2 {
         // Scaled, so that neither squares nor sums overflow.
         let d = d / d.abs().max_element();
@@ -86,7 +86,7 @@ impl Grid {
         DVec2::new(across * f64::from(self.width), down * f64::from(self.height))
     }
 
-    /// Returns the direction (not normalised) of a position in a layout without faces.
+    /// Returns the direction (not normalised) of a position in a flat layout.
     pub fn direction(&self, p: DVec2) -> DVec3 {
         let (height, width) = (f64::from(self.height), f64::from(self.width));
         if self.layout == Layout::Equirectangular {
@@ -99,38 +99,38 @@ impl Grid {
         DVec3::new(p.x, y, p.y)
     }
 
-    /// Returns the texel that continues the picture at a row and column beyond its edges, for layouts without faces.
-    pub fn wrapped(&self, mut row: i64, mut column: i64) -> usize {
+    /// Returns the texel that continues a flat layout at a row and column beyond its edges.
+    pub fn wrap(&self, mut row: i64, mut column: i64) -> usize {
         let (height, width) = (i64::from(self.height), i64::from(self.width));
         let outside = |row: i64, column: i64| !(0..height).contains(&row) || !(0..width).contains(&column);
         while outside(row, column) {
             if self.layout == Layout::Equirectangular {
                 // Beyond a pole the picture continues at the opposite longitude.
                 if !(0..height).contains(&row) {
-                    (row, column) = (mirrored(row, height), column + width / 2);
+                    (row, column) = (mirror(row, height), column + width / 2);
                 }
                 column = column.rem_euclid(width);
                 continue;
             }
             // Each edge continues into itself, mirrored about its middle.
             if !(0..width).contains(&column) {
-                (row, column) = (height - 1 - row, mirrored(column, width));
+                (row, column) = (height - 1 - row, mirror(column, width));
             }
             if !(0..height).contains(&row) {
-                (row, column) = (mirrored(row, height), width - 1 - column);
+                (row, column) = (mirror(row, height), width - 1 - column);
             }
         }
         (row * width + column) as usize
     }
 }
 
-/// Returns the direction of a latitude (sine, cosine) and a longitude (sine, cosine).
+/// Returns the direction at a latitude and a longitude, each given by sine and cosine.
 fn direction_of_angles(sine: f64, cosine: f64, longitude: (f64, f64)) -> DVec3 {
     DVec3::new(cosine * longitude.0, sine, -cosine * longitude.1)
 }
 
 /// Mirrors an index outside 0..count at the edge that it crossed.
-fn mirrored(index: i64, count: i64) -> i64 {
+fn mirror(index: i64, count: i64) -> i64 {
     if index < 0 { -1 - index } else { 2 * count - 1 - index }
 }
 
@@ -139,17 +139,16 @@ fn fold(p: DVec2) -> DVec2 {
     DVec2::new((1.0 - p.y.abs()).copysign(p.x), (1.0 - p.x.abs()).copysign(p.y))
 }
 
-/// Directions of a grid's texels, row by row. All texels are sampled at the same evenly spaced positions.
+/// Directions of a grid's texels, row by row, at `across` × `across` evenly spaced samples of each texel.
 pub struct GridRows {
     grid: Grid,
-    /// Number of sample positions across a texel, and down.
     across: u32,
-    /// Sines and cosines of column longitudes (equirectangular only), one run per sample position across.
+    /// Sine and cosine of each column's longitude, for each sample position across; only for equirectangular grids.
     longitudes: Vec<(f64, f64)>,
 }
 
 impl GridRows {
-    /// Prepares `across`² positions per texel. If `across` is odd, one of them is the centre.
+    /// Prepares the directions. If `across` is odd, one sample is the texel's centre.
     pub fn new(grid: Grid, across: u32) -> Result<Self> {
         let mut rows = Self { grid, across, longitudes: Vec::new() };
         if grid.layout == Layout::Equirectangular {
@@ -165,7 +164,7 @@ impl GridRows {
         Ok(rows)
     }
 
-    /// Number of sample positions in a texel.
+    /// Returns the number of samples of a texel.
     pub fn samples(&self) -> u32 {
         self.across * self.across
     }
@@ -175,7 +174,7 @@ impl GridRows {
         (DVec2::new(f64::from(sample % self.across), f64::from(sample / self.across)) + 0.5) / f64::from(self.across)
     }
 
-    /// Writes the directions of a row from column `first` on, for one sample position.
+    /// Writes the directions of one sample of a row's texels, from column `first` on.
     pub fn write(&self, sample: u32, row: u32, first: u32, out: &mut [[f64; 3]]) {
         let (height, width, within) =
             (f64::from(self.grid.height), f64::from(self.grid.width), self.sample_offset(sample));

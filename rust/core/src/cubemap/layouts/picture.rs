@@ -1,8 +1,8 @@
-//! Panoramas, and look-ups in panoramas without faces.
+//! Panoramas, and look-ups in flat ones.
 
 use glam::DVec3;
 
-use super::super::lookup::{BLOCK, MIN_WEIGHT, Placed, SampledPicture, Sampler, TexelFilter, first_value, keys};
+use super::super::lookup::{BLOCK, MIN_WEIGHT, Positions, SampledPicture, Sampler, TexelFilter, first_value, keys};
 use super::flat;
 use super::layout::Grid;
 use crate::base::{Real, Result, ensure};
@@ -24,19 +24,20 @@ impl<'a, T> Panorama<'a, T> {
     }
 }
 
-/// Prepares look-ups in a layout without faces. Directions must be finite, not zero, and of moderate length.
+/// Prepares look-ups in a flat layout. Directions must be finite, not zero, and neither so long nor so short that their
+/// squares overflow or underflow.
 pub(super) fn flat_sampler<T: Real>(picture: Panorama<'_, T>, filter: TexelFilter) -> Sampler<'_, T, Panorama<'_, T>> {
     let Grid { width, height, .. } = picture.grid;
     Sampler::new((picture.values, width, picture.channels), width.min(height), filter, picture)
 }
 
 impl<T: Real> SampledPicture<T> for Panorama<'_, T> {
-    fn find_places<D: Real>(&self, block: &[[D; 3]; BLOCK], reach: [u32; 2], placed: &mut Placed) -> u32 {
+    fn locate<D: Real>(&self, block: &[[D; 3]; BLOCK], reach: [u32; 2], positions: &mut Positions) -> u32 {
         let mut wide = [[0.0; 3]; BLOCK];
         for (wide, d) in wide.iter_mut().zip(block) {
             *wide = d.map(Real::wide);
         }
-        flat::find_places(&wide, self.grid, reach, placed);
+        flat::locate(&wide, self.grid, reach, positions);
         0
     }
 
@@ -56,7 +57,7 @@ impl<T: Real> SampledPicture<T> for Panorama<'_, T> {
             for (column, x) in (before.x as i64 - 1..).zip(across) {
                 // Taps without weight are skipped, because 0 × ∞ is NaN.
                 if (x * y).abs() > least {
-                    taps[count] = (self.grid.wrapped(row, column) * self.channels, x * y);
+                    taps[count] = (self.grid.wrap(row, column) * self.channels, x * y);
                     count += 1;
                 }
             }

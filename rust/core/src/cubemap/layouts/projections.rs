@@ -1,13 +1,12 @@
-//! Projections of directions to layouts without faces, and the angle of a vector in a plane. All are without branches,
-//! so that the compiler vectorises them. Vector and scalar code give the same bits.
+//! Projections of directions to flat layouts. They have no branches, so that the compiler vectorises them. Vector and
+//! scalar code return the same bits.
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
-/// tan(π/8). Above it, atan t = π/4 + atan((t − 1)/(t + 1)).
+/// tan(π/8). For larger t, `angle_of` uses atan t = π/4 + atan((t − 1)/(t + 1)).
 const LIMIT: f64 = 0.414_213_562_373_095;
 
-/// atan(t)/t as a polynomial of t² for t up to tan(π/8), interpolated at twelve Chebyshev points. Its error is at most
-/// 1.3e-18.
+/// atan(t)/t as a polynomial of t² for t ≤ tan(π/8), from twelve Chebyshev points; the error is at most 1.3e-18.
 const SERIES: [f64; 12] = [
     1.0,
     -0.333_333_333_333_331_2,

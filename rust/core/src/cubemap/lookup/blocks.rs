@@ -1,4 +1,4 @@
-//! Block look-ups with kernels that the compiler vectorises. Between the kernels, texels are gathered one by one,
+//! Kernels over blocks of directions, which the compiler vectorises. Between the kernels, texels are read one by one,
 //! because gather instructions are no faster and on some machines much slower.
 
 use super::super::faces::is_known;
@@ -8,12 +8,12 @@ use crate::base::simd::vectorized;
 /// Number of directions in a block. The block's temporaries fit in the first-level cache.
 pub const BLOCK: usize = 64;
 
-/// Minimum weight of a texel that counts for minima and maxima. On the largest faces, of 32,768 × 32,768 texels,
-/// rounding moves a position by up to 2e-11 texels, so weights below 1e-10 may be rounding alone.
+/// Minimum weight of a texel that counts for minima and maxima. In the largest pictures, 32,768 texels across, rounding
+/// moves a position by up to 2e-11 texels, so lower weights may be mere rounding.
 pub const MIN_WEIGHT: f64 = 1e-10;
 
-/// 2⁵². Adding it to a number leaves the nearest integer in the low bits. It replaces a cast from float to integer,
-/// which saturates and therefore has no vector instruction.
+/// 2⁵². Adding it to a number leaves the nearest integer in the low bits. This replaces a cast from float to integer,
+/// which saturates in Rust and therefore has no vector instruction.
 const UNITS: f64 = 4_503_599_627_370_496.0;
 
 /// One value for each direction of a block.
@@ -21,8 +21,8 @@ const UNITS: f64 = 4_503_599_627_370_496.0;
 #[repr(align(64))]
 pub struct BlockValues<T>(pub [T; BLOCK]);
 
-/// Points where directions intersect the cube.
-struct Pierced {
+/// Points where a block's directions intersect the cube.
+struct CubePoints {
     face: BlockValues<f64>,
     u: BlockValues<f64>,
     v: BlockValues<f64>,
@@ -30,14 +30,14 @@ struct Pierced {
 
 /// Positions of a block's directions between texel centres.
 #[derive(Debug)]
-pub struct Placed {
-    /// Number of the texel above and to the left; it has neighbours to the right and below.
+pub struct Positions {
+    /// Number of the last texel whose centre lies above and to the left; it has neighbours to the right and below.
     pub first: BlockValues<u32>,
-    /// Distance to the right of that texel's centre, 0 to 1 texels.
+    /// Distance to the right of the first texel's centre, 0 to 1 texels.
     pub s: BlockValues<f64>,
-    /// Distance below that texel's centre, 0 to 1 texels.
+    /// Distance below the first texel's centre, 0 to 1 texels.
     pub t: BlockValues<f64>,
-    /// 1 if the filter needs texels beyond one face; the other fields are then undefined.
+    /// 1 if the filter needs texels beyond the face or picture; then the other fields are undefined.
     pub seam: BlockValues<u8>,
 }
 
@@ -46,13 +46,12 @@ pub struct Placed {
 pub struct Inner {
     /// Maximum |u| and |v|.
     limit: f64,
-    /// Minimum and maximum of the row, and of the column, of `Placed::first`.
+    /// Minimum and maximum row and column of `Positions::first`.
     first_range: [f64; 2],
 }
 
 impl Inner {
-    /// Creates the region for filters that, along each axis, read `before` texels before `Placed::first` and `after`
-    /// texels after it.
+    /// Creates the region for a filter that reads `before` texels before `Positions::first` and `after` after it.
     pub fn new(size: u32, before: u32, after: u32) -> Self {
         if size <= before + after {
             return Self { limit: -1.0, first_range: [0.0; 2] };
@@ -62,8 +61,8 @@ impl Inner {
     }
 }
 
-impl Placed {
-    /// Creates an empty result.
+impl Positions {
+    /// Creates positions to be overwritten.
     pub fn new() -> Self {
         Self {
             first: BlockValues([0; BLOCK]),
@@ -79,18 +78,18 @@ vectorized! {
     pub fn find_texels<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, texel: &mut BlockValues<u32>) -> u32
         = find_texels_kernel;
     /// Finds each direction's position between texels. Returns the number of directions that are zero or not finite.
-    pub fn find_places<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, inner: Inner, out: &mut Placed) -> u32
-        = find_places_kernel;
-    /// Writes the weighted means of four texels.
+    pub fn locate<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, inner: Inner, out: &mut Positions) -> u32
+        = locate_kernel;
+    /// Writes the weighted mean of each direction's four texels.
     pub fn mix<T: Real>(texels: &[BlockValues<T>; 4], weights: &[BlockValues<f64>; 4], out: &mut BlockValues<T>)
         = mix_kernel;
-    /// Writes the minimum of the texels with weight.
+    /// Writes the minimum of the texels whose weight is above `MIN_WEIGHT`; NaN if all are NaN.
     pub fn least<T: Real>(texels: &[BlockValues<T>; 4], weights: &[BlockValues<f64>; 4], out: &mut BlockValues<T>)
         = extreme::<T, false>;
-    /// Writes the maximum of the texels with weight.
+    /// Writes the maximum of the texels whose weight is above `MIN_WEIGHT`; NaN if all are NaN.
     pub fn greatest<T: Real>(texels: &[BlockValues<T>; 4], weights: &[BlockValues<f64>; 4], out: &mut BlockValues<T>)
         = extreme::<T, true>;
-    /// Adds a weighted row of four texels to the sums.
+    /// Adds the weighted mean of a row of four texels, times the row's weight `down`, to the sums.
     pub fn add_row<T: Real>(
         texels: &[BlockValues<T>; 4],
         across: &[BlockValues<f64>; 4],
@@ -103,15 +102,15 @@ vectorized! {
     pub fn halve_greatest<T: Real>(above: &[T], below: &[T], out: &mut [T]) = halve_extreme::<T, true>;
     /// Writes the weighted means of each 2 × 2 values of two rows.
     pub fn halve<T: Real>(above: &[T], below: &[T], weights: [&[f64]; 2], out: &mut [T]) = halve_kernel;
-    /// Writes bilinear weights of the four texels around each direction, row by row.
-    pub fn bilinear(placed: &Placed, weights: &mut [BlockValues<f64>; 4]) = bilinear_kernel;
-    /// Writes Keys' weights of the four texels around each fraction.
+    /// Writes the bilinear weights of the four texels around each direction, row by row.
+    pub fn bilinear(positions: &Positions, weights: &mut [BlockValues<f64>; 4]) = bilinear_kernel;
+    /// Writes `keys` of each fraction.
     pub fn cubic(fraction: &BlockValues<f64>, weights: &mut [BlockValues<f64>; 4]) = cubic_kernel;
 }
 
 /// Same as `face_from_direction`, without branches. Returns the number of directions that are zero or not finite.
 #[inline(always)]
-fn pierce<D: Real>(directions: &[[D; 3]; BLOCK], out: &mut Pierced) -> u32 {
+fn find_cube_points<D: Real>(directions: &[[D; 3]; BLOCK], out: &mut CubePoints) -> u32 {
     let mut d = [BlockValues([0.0f64; BLOCK]); 3];
     for (i, direction) in directions.iter().enumerate() {
         d[0].0[i] = direction[0].wide();
@@ -143,7 +142,7 @@ fn pierce<D: Real>(directions: &[[D; 3]; BLOCK], out: &mut Pierced) -> u32 {
     invalid_count as u32
 }
 
-impl Pierced {
+impl CubePoints {
     #[inline(always)]
     fn new() -> Self {
         Self { face: BlockValues([0.0; BLOCK]), u: BlockValues([0.0; BLOCK]), v: BlockValues([0.0; BLOCK]) }
@@ -159,46 +158,45 @@ pub(in crate::cubemap) fn clamped_floor(position: f64, low: f64, high: f64) -> f
     nearest - if nearest > clamped { 1.0 } else { 0.0 }
 }
 
-/// Converts an integer below 2³² to u32; all texel numbers are below that limit.
+/// Converts an integer below 2³² to u32.
 #[inline(always)]
 pub(in crate::cubemap) fn index(number: f64) -> u32 {
     (number + UNITS).to_bits() as u32
 }
 
-/// Same as `texel_from_direction`, for a block. Returns the number of directions that are zero or not finite.
+/// Same as `texel_from_direction`, for a block.
 #[inline(always)]
 fn find_texels_kernel<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, texel: &mut BlockValues<u32>) -> u32 {
-    let mut pierced = Pierced::new();
-    let invalid_count = pierce(directions, &mut pierced);
+    let mut points = CubePoints::new();
+    let invalid_count = find_cube_points(directions, &mut points);
     let edge = f64::from(size);
     for i in 0..BLOCK {
-        let column = clamped_floor((pierced.u.0[i] + 1.0) * 0.5 * edge, 0.0, edge - 1.0);
-        let row = clamped_floor((pierced.v.0[i] + 1.0) * 0.5 * edge, 0.0, edge - 1.0);
-        texel.0[i] = index((pierced.face.0[i] * edge + row) * edge + column);
+        let column = clamped_floor((points.u.0[i] + 1.0) * 0.5 * edge, 0.0, edge - 1.0);
+        let row = clamped_floor((points.v.0[i] + 1.0) * 0.5 * edge, 0.0, edge - 1.0);
+        texel.0[i] = index((points.face.0[i] * edge + row) * edge + column);
     }
     invalid_count
 }
 
-/// Same as `Taps::new`, for directions whose texels lie on one face. Returns the number of directions that are zero or
-/// not finite.
+/// Same as `Taps::new`, for directions whose texels lie on one face.
 #[inline(always)]
-fn find_places_kernel<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, inner: Inner, out: &mut Placed) -> u32 {
-    let mut pierced = Pierced::new();
-    let invalid_count = pierce(directions, &mut pierced);
+fn locate_kernel<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, inner: Inner, out: &mut Positions) -> u32 {
+    let mut points = CubePoints::new();
+    let invalid_count = find_cube_points(directions, &mut points);
     let edge = f64::from(size);
     let [low, high] = inner.first_range;
     for i in 0..BLOCK {
-        let (u, v) = (pierced.u.0[i], pierced.v.0[i]);
+        let (u, v) = (points.u.0[i], points.v.0[i]);
         let x = (u + 1.0) * 0.5 * edge - 0.5;
         let y = (v + 1.0) * 0.5 * edge - 0.5;
         let (column, row) = (clamped_floor(x, low, high), clamped_floor(y, low, high));
         let (s, t) = (x - column, y - row);
-        // Clamped, because rounding may lead beyond the outermost centres.
+        // Clamped, because rounding may move a position beyond the outermost centres.
         let (s, t) = (if s > 0.0 { s } else { 0.0 }, if t > 0.0 { t } else { 0.0 });
         out.s.0[i] = if s < 1.0 { s } else { 1.0 };
         out.t.0[i] = if t < 1.0 { t } else { 1.0 };
-        out.first.0[i] = index((pierced.face.0[i] * edge + row) * edge + column);
-        // Written so that NaN counts as a seam.
+        out.first.0[i] = index((points.face.0[i] * edge + row) * edge + column);
+        // With NaN the comparison is false, so NaN counts as a seam.
         let inside = (u.abs() <= inner.limit) & (v.abs() <= inner.limit);
         out.seam.0[i] = u8::from(!inside);
     }
@@ -206,9 +204,9 @@ fn find_places_kernel<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, inner: I
 }
 
 #[inline(always)]
-fn bilinear_kernel(placed: &Placed, weights: &mut [BlockValues<f64>; 4]) {
+fn bilinear_kernel(positions: &Positions, weights: &mut [BlockValues<f64>; 4]) {
     for i in 0..BLOCK {
-        let (s, t) = (placed.s.0[i], placed.t.0[i]);
+        let (s, t) = (positions.s.0[i], positions.t.0[i]);
         weights[0].0[i] = (1.0 - s) * (1.0 - t);
         weights[1].0[i] = s * (1.0 - t);
         weights[2].0[i] = (1.0 - s) * t;
@@ -226,8 +224,8 @@ fn cubic_kernel(fraction: &BlockValues<f64>, weights: &mut [BlockValues<f64>; 4]
     }
 }
 
-/// Returns the weights of Keys, "Cubic convolution interpolation for digital image processing" (1981), Eq. 4 with a =
-/// −1/2.
+/// Returns the cubic weights of four texels at a fraction s between the second and the third: Keys, "Cubic convolution
+/// interpolation for digital image processing" (1981), Eq. 4 with a = −1/2.
 #[inline(always)]
 pub fn keys(s: f64) -> [f64; 4] {
     [
@@ -238,7 +236,7 @@ pub fn keys(s: f64) -> [f64; 4] {
     ]
 }
 
-/// Weighted means. Texels without weight are skipped, because 0 × ∞ is NaN.
+/// Skips texels without weight, because 0 × ∞ is NaN.
 #[inline(always)]
 fn mix_kernel<T: Real>(texels: &[BlockValues<T>; 4], weights: &[BlockValues<f64>; 4], out: &mut BlockValues<T>) {
     for i in 0..BLOCK {
@@ -252,7 +250,6 @@ fn mix_kernel<T: Real>(texels: &[BlockValues<T>; 4], weights: &[BlockValues<f64>
     }
 }
 
-/// Minimum or maximum of the texels with weight; NaN if all of them are NaN.
 #[inline(always)]
 fn extreme<T: Real, const MAX: bool>(
     texels: &[BlockValues<T>; 4],
@@ -300,7 +297,6 @@ fn halve_kernel<T: Real>(above: &[T], below: &[T], weights: [&[f64]; 2], out: &m
     }
 }
 
-/// Minimum or maximum of each 2 × 2 values of two rows; NaN if all four are NaN.
 #[inline(always)]
 fn halve_extreme<T: Real, const MAX: bool>(above: &[T], below: &[T], out: &mut [T]) {
     let count = out.len();

@@ -1,8 +1,8 @@
 //! Texels touched by a cone of directions, exact to rounding, face by face and row by row.
 //!
-//! A cone with axis d and half angle r < 90° meets the plane of a face in a convex region bounded by a conic. Within a
-//! row of texels the region extends from a minimum to a maximum u. These extremes lie on the two edges of the row, or
-//! where a plane through the face's v axis touches the cone.
+//! A cone with axis d and half angle r < 90° meets the plane of a face in a convex region bounded by a conic section.
+//! Within a row of texels the region extends from a minimum to a maximum u. These extremes lie on the two edges of the
+//! row, or where a plane through the face's v axis touches the cone.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -10,12 +10,11 @@ use glam::DVec3;
 
 use crate::camera::along_face;
 
-/// Added to the squared sine, so that rounding (a few units of 2.2e-16 in products of numbers below 2) loses no texel.
-/// It widens the cone by half of this value divided by the angle, at most by 6.4e-8 rad.
+/// Added to the squared sine, so that no texel is lost to rounding: a few units of 2.2e-16 in products of numbers below
+/// 2. This widens the cone by half the margin divided by the half angle, at most by 6.4e-8 rad.
 const MARGIN: f64 = 4e-15;
 
-/// Minimum squared cosine: half angles closer to 90° are reduced to 90° − 1e-15 rad. A cosine of 0 would cause a
-/// division by zero for axes in the plane of a face.
+/// Minimum squared cosine, for 90° − 1e-15 rad. A cosine of 0 would divide by zero for axes parallel to a face.
 const MIN_COSINE_SQUARED: f64 = 1e-30;
 
 /// All directions within an angle of an axis.
@@ -26,15 +25,16 @@ pub(super) struct Cone {
     cosine_squared: f64,
 }
 
-/// Rows of a face, each with a column range: first column and end.
+/// Consecutive rows of a face.
 #[derive(Debug, Default)]
 pub(super) struct ConeRows {
     pub first: usize,
+    /// First column and end of the columns that the cone touches in each row.
     pub columns: Vec<(usize, usize)>,
 }
 
 impl Cone {
-    /// Creates a cone about a direction (finite, not zero); `radius` is its half angle, from 0 to below 90°.
+    /// Creates a cone around a direction (finite, not zero). `radius` is its half angle, at least 0 and below 90°.
     pub fn new(d: DVec3, radius: f64) -> Self {
         // Scaled first, so that the length does not overflow.
         let axis = (d / d.abs().max_element()).normalize();
@@ -65,9 +65,8 @@ impl Cone {
             for (from, to) in above.into_iter().chain(below) {
                 (low, high) = (low.min(from), high.max(to));
             }
-            let holds = |position_across: f64| edge(row) <= position_across && position_across <= edge(row + 1);
             for (position, position_across) in wide {
-                if holds(position_across) {
+                if (edge(row)..=edge(row + 1)).contains(&position_across) {
                     (low, high) = (low.min(position), high.max(position));
                 }
             }
@@ -81,12 +80,11 @@ impl Cone {
         }
     }
 
-    /// Returns the minimum and maximum position along one axis of a face, and the position along the other axis at
-    /// which each is reached; `None` if the cone lies behind the face. The arguments are the direction's components
-    /// along these axes and out of the face.
+    /// Returns the cone's minimum and maximum position along one axis of a face, each with its position along the other
+    /// axis; `None` if the cone lies behind the face. The arguments are the components of the cone's axis along these
+    /// two axes and out of the face.
     fn extent(&self, along: f64, across: f64, out: f64) -> Option<[(f64, f64); 2]> {
-        // Squared length of (along, out) minus sin². In this form the difference keeps its digits near 90°, where both
-        // are 1.
+        // along² + out² − sin², without cancellation near 90°, where both the sum and sin² are 1.
         let remainder = self.cosine_squared - across * across;
         if remainder <= 0.0 {
             // The cone contains the other axis.
@@ -97,14 +95,14 @@ impl Cone {
         if middle - half >= FRAC_PI_2 || middle + half <= -FRAC_PI_2 {
             return None;
         }
-        let reached = |angle: f64| {
+        let position = |angle: f64| {
             if angle.abs() < FRAC_PI_2 {
                 (angle.tan(), across / (remainder * angle.cos()))
             } else {
                 (f64::INFINITY.copysign(angle), f64::NAN)
             }
         };
-        Some([reached(middle - half), reached(middle + half)])
+        Some([position(middle - half), position(middle + half)])
     }
 }
 
@@ -119,19 +117,18 @@ struct Section {
 }
 
 impl Section {
-    /// Returns the interval of a line of constant v inside the cone: (right u + k)² ≥ cos² (u² + w) on the side right
-    /// u + k > 0, with k = down v + out and w = v² + 1.
+    /// Returns the interval of u inside the cone on a line of constant v. There (right u + k)² ≥ cos² (u² + w) and
+    /// right u + k > 0, with k = down v + out and w = v² + 1.
     fn interval(&self, v: f64) -> Option<(f64, f64)> {
         let (k, w) = (self.down * v + self.out, v * v + 1.0);
         let (a, b) = (self.squares, self.right * k);
         let discriminant = k * k + w * a;
-        // For a = 0 the region is a parabola, which contains points of the line only for k > 0.
+        // For a = 0 the conic is a parabola, which contains points of the line only for k > 0.
         if discriminant < 0.0 || (a == 0.0 && k <= 0.0) {
             return None;
         }
         let root = (self.cone.cosine_squared * discriminant).sqrt();
-        // Both terms of the sum have equal signs, so nothing cancels; the other root follows from the product of the
-        // roots.
+        // Both terms of q have equal signs, so nothing cancels. The other root follows from the product of the roots.
         let q = -(b + root.copysign(b));
         // If the line only touches the border, both roots are 0.
         let (first, second) = if q == 0.0 { (0.0, 0.0) } else { (q / a, (k * k - self.cone.cosine_squared * w) / q) };

@@ -1,19 +1,19 @@
-//! Batch look-ups of a cube map.
+//! Look-ups of many directions in a cube map.
 
 use glam::DVec3;
 
 use super::super::faces::{CubeFaces, check_out};
-use super::blocks::{self, BLOCK, BlockValues, Inner, MIN_WEIGHT, Placed};
-use super::cubic::Rim;
+use super::blocks::{self, BLOCK, BlockValues, Inner, MIN_WEIGHT, Positions};
+use super::cubic::BorderedFaces;
 use super::sampler::{SampledPicture, Sampler, TexelFilter, first_value};
 use super::taps::Taps;
-use super::tiles::{in_blocks, in_tiles};
+use super::tiles::{process_blocks, process_tiles};
 use crate::base::{Progress, Real, Result};
 
-/// Six faces, and the values beyond their edges that cubic filters read.
+/// A cube map as a sampler reads it.
 pub(in crate::cubemap) struct Cube<'a, T> {
     faces: CubeFaces<'a, T>,
-    rim: Rim<'a, T>,
+    bordered: BorderedFaces<'a, T>,
 }
 
 /// Prepares about `count` look-ups in a cube map.
@@ -22,20 +22,20 @@ pub(in crate::cubemap) fn cube_sampler<T: Real>(
     filter: TexelFilter,
     count: usize,
 ) -> Result<Sampler<'_, T, Cube<'_, T>>> {
-    // A table of the values beyond the edges is faster if there are more look-ups than entries.
-    let many = filter == TexelFilter::Cubic && count > (faces.size as usize).pow(2);
-    let cube = Cube { faces, rim: Rim::new(faces, many)? };
+    // With this many look-ups, a table of the values beyond the edges saves time.
+    let use_table = filter == TexelFilter::Cubic && count > (faces.size as usize).pow(2);
+    let cube = Cube { faces, bordered: BorderedFaces::new(faces, use_table)? };
     Ok(Sampler::new((faces.values, faces.size, faces.channels), faces.size, filter, cube))
 }
 
 impl<T: Real> SampledPicture<T> for Cube<'_, T> {
-    fn find_places<D: Real>(&self, block: &[[D; 3]; BLOCK], [before, after]: [u32; 2], placed: &mut Placed) -> u32 {
-        blocks::find_places(block, self.faces.size, Inner::new(self.faces.size, before, after), placed)
+    fn locate<D: Real>(&self, block: &[[D; 3]; BLOCK], [before, after]: [u32; 2], out: &mut Positions) -> u32 {
+        blocks::locate(block, self.faces.size, Inner::new(self.faces.size, before, after), out)
     }
 
     fn sample(&self, d: DVec3, filter: TexelFilter, out: &mut [T]) {
         if filter == TexelFilter::Cubic {
-            return self.rim.sample(d, out);
+            return self.bordered.sample(d, out);
         }
         let taps = Taps::new(d, self.faces.size);
         let rows = taps.texel.map(|number| self.faces.texel(number));
@@ -56,8 +56,7 @@ fn mean<T: Real>(texels: [T; 4], taps: &Taps) -> T {
     T::narrow((term(0) + term(1)) + (term(2) + term(3)))
 }
 
-/// Writes the map's value, one number per channel, in each direction of any length. Fails at a direction that is zero
-/// or not finite.
+/// Writes the map's values in each direction, one per channel. Fails if a direction is zero or not finite.
 pub fn lookup<T: Real, D: Real>(
     faces: CubeFaces<'_, T>,
     directions: &[[D; 3]],
@@ -67,10 +66,10 @@ pub fn lookup<T: Real, D: Real>(
 ) -> Result<()> {
     check_out(out, directions.len() * faces.channels)?;
     let sampler = cube_sampler(faces, filter, directions.len())?;
-    in_tiles(directions, out, faces.channels, progress, |directions, out| sampler.sample(directions, out))
+    process_tiles(directions, out, faces.channels, progress, |directions, out| sampler.sample(directions, out))
 }
 
-/// Writes the texel that each direction of any length hits, for values of any type. Fails like `lookup`.
+/// Writes the texel that each direction hits, for values of any type. Fails like `lookup`.
 pub fn nearest<T: Copy + Send + Sync, D: Real>(
     faces: CubeFaces<'_, T>,
     directions: &[[D; 3]],
@@ -78,9 +77,9 @@ pub fn nearest<T: Copy + Send + Sync, D: Real>(
     progress: &Progress,
 ) -> Result<()> {
     check_out(out, directions.len() * faces.channels)?;
-    in_tiles(directions, out, faces.channels, progress, |directions, out| {
+    process_tiles(directions, out, faces.channels, progress, |directions, out| {
         let mut numbers = BlockValues([0; BLOCK]);
-        in_blocks(directions, out, faces.channels, |block, out| {
+        process_blocks(directions, out, faces.channels, |block, out| {
             let invalid_count = blocks::find_texels(block, faces.size, &mut numbers);
             copy_texels(faces.values, faces.channels, &numbers, out);
             invalid_count
@@ -88,7 +87,7 @@ pub fn nearest<T: Copy + Send + Sync, D: Real>(
     })
 }
 
-/// Copies the texels with these numbers to `out`, for as many as it has room for.
+/// Copies the texels with these numbers to `out`, as many as it has room for.
 pub(in crate::cubemap) fn copy_texels<T: Copy>(
     values: &[T],
     channels: usize,

@@ -1,4 +1,4 @@
-//! Minimum or maximum of the texels touched by cones.
+//! Minimum or maximum of the texels that a cone touches.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -12,14 +12,14 @@ use super::sampler::TexelFilter;
 use super::tiles::{check_first_invalid, is_zero_or_not_finite};
 use crate::base::{Error, Progress, Real, Result, ensure, memory::room_for};
 
-/// Diameter of a cone, in texels, above which a level of half the size saves time.
+/// Approximate cone diameter, in texels, above which a level with blocks of twice the size saves time.
 const WIDE_CONE: f64 = 8.0;
 
 /// Number of directions in one task.
 const TILE: usize = 64;
 
-/// Writes the minimum or maximum of all texels that the cone about each direction touches. The half angle `radius` is
-/// at least 0 and below 90°. Fails at a direction that is zero or not finite.
+/// Writes the minimum or maximum of all texels that the cone around each direction touches. `radius` is the cone's half
+/// angle, at least 0 and below 90°. Fails if a direction is zero or not finite.
 pub fn footprint<T: Real, D: Real>(
     faces: CubeFaces<'_, T>,
     directions: &[[D; 3]],
@@ -39,7 +39,7 @@ pub fn footprint<T: Real, D: Real>(
     match filter {
         TexelFilter::Min => look_up_all::<T, D, false>(faces, directions, radius, out, progress),
         TexelFilter::Max => look_up_all::<T, D, true>(faces, directions, radius, out, progress),
-        _ => Err(Error::value("filter", "the least or the greatest", "a filter that mixes texels")),
+        _ => Err(Error::value("filter", "a minimum or a maximum", "a weighted mean of texels")),
     }
 }
 
@@ -58,7 +58,7 @@ fn look_up_all<T: Real, D: Real, const MAX: bool>(
             out.fill(T::narrow(nothing));
             let cone = Cone::new(DVec3::from_array(d.map(Real::wide)), radius);
             for face in 0..6 {
-                pyramid.visit(&cone, face, &mut scratch, |values| take::<T, MAX>(out, values));
+                pyramid.visit(&cone, face, &mut scratch, |values| update_extremes::<T, MAX>(out, values));
             }
             if out.iter().any(|value| value.wide() == nothing) {
                 let known = pyramid.has_values(&cone, &mut scratch);
@@ -72,19 +72,17 @@ fn look_up_all<T: Real, D: Real, const MAX: bool>(
     })
 }
 
-/// Replaces each value that the new texel's value precedes; NaN never replaces a value.
+/// Updates the extremes of each channel with the values of some texels; NaN never replaces a value.
 #[inline]
-fn take<T: Real, const MAX: bool>(out: &mut [T], values: &[T]) {
-    let before = |one: T, other: T| if MAX { one > other } else { one < other };
+fn update_extremes<T: Real, const MAX: bool>(out: &mut [T], values: &[T]) {
+    let better = |best: T, value: T| if (MAX && value > best) || (!MAX && value < best) { value } else { best };
     if let [best] = out {
-        for &value in values {
-            *best = if before(value, *best) { value } else { *best };
-        }
+        *best = values.iter().fold(*best, |best, &value| better(best, value));
         return;
     }
     for texel in values.chunks_exact(out.len()) {
         for (best, &value) in out.iter_mut().zip(texel) {
-            *best = if before(value, *best) { value } else { *best };
+            *best = better(*best, value);
         }
     }
 }
@@ -92,11 +90,11 @@ fn take<T: Real, const MAX: bool>(out: &mut [T], values: &[T]) {
 /// Extremes of blocks of 1, 2 × 2, 4 × 4 … texels. The last block of a row or column may be smaller.
 struct Pyramid<'a, T> {
     faces: CubeFaces<'a, T>,
-    /// Levels from 2 × 2 on: number of blocks across a face, and their values.
+    /// Number of blocks across a face, and their values, for each level from 2 × 2 on.
     levels: Vec<(usize, Vec<T>)>,
 }
 
-/// Scratch rows of texels and blocks of one face.
+/// Rows of one face that a cone touches, on all levels; reused to save allocations.
 #[derive(Default)]
 struct Scratch {
     texels: ConeRows,
@@ -120,9 +118,8 @@ impl<'a, T: Real> Pyramid<'a, T> {
         Ok(Self { faces, levels })
     }
 
-    /// Passes all texels of a face that a cone touches to `take`, in runs. Blocks replace the texels that they
-    /// contain.
-    fn visit(&self, cone: &Cone, face: u8, scratch: &mut Scratch, mut take: impl FnMut(&[T])) {
+    /// Passes all texels of a face that a cone touches to `process`, in runs. Blocks inside the cone replace texels.
+    fn visit(&self, cone: &Cone, face: u8, scratch: &mut Scratch, mut process: impl FnMut(&[T])) {
         cone.touch(face, self.faces.size, &mut scratch.texels);
         if scratch.texels.columns.is_empty() {
             return;
@@ -142,10 +139,10 @@ impl<'a, T: Real> Pyramid<'a, T> {
                 let start = (usize::from(face) * size + row) * size;
                 let mut piece = |from: usize, to: usize| {
                     if from < to {
-                        take(&values[(start + from) * channels..(start + to) * channels]);
+                        process(&values[(start + from) * channels..(start + to) * channels]);
                     }
                 };
-                // Texels inside a block of the next level are skipped, because the block contains them.
+                // Texels inside a block of the next level are skipped.
                 match parents.map(|parents| parents.columns[row / 2 - parents.first]) {
                     Some((from, to)) if from < to => {
                         piece(low, (2 * from).min(high));
@@ -178,7 +175,7 @@ impl<'a, T: Real> Pyramid<'a, T> {
     }
 }
 
-/// Finds the rows of blocks of the next level that lie entirely inside `rows`, whose level has the width `size`.
+/// Finds the blocks of the next level that lie entirely inside `rows`, a region on a level of width `size`.
 fn coarsen(rows: &ConeRows, size: usize, blocks: &mut ConeRows) {
     blocks.first = rows.first / 2;
     blocks.columns.clear();
@@ -197,7 +194,7 @@ fn coarsen(rows: &ConeRows, size: usize, blocks: &mut ConeRows) {
     }
 }
 
-/// Returns the extremes of the 2 × 2 blocks of six faces.
+/// Returns the extremes of all 2 × 2 blocks of six faces of width `size`.
 fn halve<T: Real, const MAX: bool>(values: &[T], size: usize, channels: usize) -> Vec<T> {
     let half = size.div_ceil(2);
     let row_length = size * channels;

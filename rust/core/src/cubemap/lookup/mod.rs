@@ -1,5 +1,4 @@
-//! Look-ups of cube maps by direction and by cone. Vector kernels process directions inside faces; directions at seams
-//! are processed one by one.
+//! Look-ups of cube maps by direction and by cone. Vector kernels process blocks of directions, except those at seams.
 
 mod blocks;
 mod cone;
@@ -11,7 +10,8 @@ mod taps;
 mod tiles;
 
 pub(super) use blocks::{
-    BLOCK, BlockValues, MIN_WEIGHT, Placed, clamped_floor, find_texels, halve, halve_greatest, halve_least, index, keys,
+    BLOCK, BlockValues, MIN_WEIGHT, Positions, clamped_floor, find_texels, halve, halve_greatest, halve_least, index,
+    keys,
 };
 pub(super) use cube::{copy_texels, cube_sampler};
 pub use cube::{lookup, nearest};
@@ -19,4 +19,4 @@ pub use footprint::footprint;
 pub use sampler::TexelFilter;
 pub(super) use sampler::{SampledPicture, Sampler, first_value};
 pub use taps::Taps;
-pub(super) use tiles::{in_blocks, in_tiles, is_zero_or_not_finite};
+pub(super) use tiles::{is_zero_or_not_finite, process_blocks, process_tiles};

@@ -4,11 +4,11 @@
 use glam::DVec3;
 
 use super::super::faces::is_known;
-use super::blocks::{self, BLOCK, BlockValues, Placed};
-use super::tiles::in_blocks;
+use super::blocks::{self, BLOCK, BlockValues, Positions};
+use super::tiles::process_blocks;
 use crate::base::Real;
 
-/// Rule that combines the texels around a direction to one value.
+/// Rule that combines the texels around a direction into one value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TexelFilter {
     /// Seamless bilinear.
@@ -22,8 +22,7 @@ pub enum TexelFilter {
 }
 
 impl TexelFilter {
-    /// Returns the number of texels that the filter reads before and after the texel above and to the left of a
-    /// direction.
+    /// Returns the number of texels that the filter reads before and after `Positions::first` along each axis.
     pub(in crate::cubemap) fn reach(self) -> [u32; 2] {
         if self == Self::Cubic { [1, 2] } else { [0, 1] }
     }
@@ -31,15 +30,14 @@ impl TexelFilter {
 
 /// A panorama that a sampler can read.
 pub(in crate::cubemap) trait SampledPicture<T> {
-    /// Finds each direction's position between texels, for a filter of that reach. Returns the number of directions
-    /// that are zero or not finite.
-    fn find_places<D: Real>(&self, block: &[[D; 3]; BLOCK], reach: [u32; 2], placed: &mut Placed) -> u32;
+    /// Finds each direction's position between texels. Returns the number of directions that are zero or not finite.
+    fn locate<D: Real>(&self, block: &[[D; 3]; BLOCK], reach: [u32; 2], positions: &mut Positions) -> u32;
 
     /// Writes the value in one direction (finite, not zero). It must agree with the value of the block kernels.
     fn sample(&self, d: DVec3, filter: TexelFilter, out: &mut [T]);
 }
 
-/// Texel rows, and the filter that reads them inside the picture's edges.
+/// Texels of a picture, and the filter that reads them.
 pub(in crate::cubemap) struct Texels<'a, T> {
     values: &'a [T],
     /// Number of texels in a row.
@@ -51,41 +49,41 @@ pub(in crate::cubemap) struct Texels<'a, T> {
 /// Sampler of one picture with one filter.
 pub(in crate::cubemap) struct Sampler<'a, T, S> {
     pub(in crate::cubemap) texels: Texels<'a, T>,
-    /// Whether there are directions for which the filter crosses no edge.
+    /// Whether the picture is large enough for directions whose filter crosses no edge.
     has_inside: bool,
-    surface: S,
+    picture: S,
 }
 
 impl<'a, T: Real, S: SampledPicture<T>> Sampler<'a, T, S> {
-    /// Creates a sampler of texels in rows of `width` texels. `edge` is the shorter side of a face or picture;
-    /// `surface` is the picture.
+    /// Creates a sampler of texels in rows of `width` texels. `edge` is the shorter side of a face or picture.
     pub(in crate::cubemap) fn new(
         (values, width, channels): (&'a [T], u32, usize),
         edge: u32,
         filter: TexelFilter,
-        surface: S,
+        picture: S,
     ) -> Self {
         let [before, after] = filter.reach();
         let texels = Texels { values, width: width as usize, channels, filter };
-        Self { texels, has_inside: edge > before + after, surface }
+        Self { texels, has_inside: edge > before + after, picture }
     }
 
     /// Writes the values in directions. Returns the index of the first direction that is zero or not finite.
     pub(in crate::cubemap) fn sample<D: Real>(&self, directions: &[[D; 3]], out: &mut [T]) -> Option<usize> {
-        let mut placed = Placed::new();
-        in_blocks(directions, out, self.texels.channels, |block, out| {
-            let invalid_count = self.surface.find_places(block, self.texels.filter.reach(), &mut placed);
+        let mut positions = Positions::new();
+        process_blocks(directions, out, self.texels.channels, |block, out| {
+            let invalid_count = self.picture.locate(block, self.texels.filter.reach(), &mut positions);
             if invalid_count == 0 {
                 if self.has_inside {
-                    self.texels.sample_inside(&placed, out);
+                    self.texels.sample_inside(&positions, out);
                 }
-                self.at_seams(block, &placed.seam, out);
+                self.sample_seams(block, &positions.seam, out);
             }
             invalid_count
         })
     }
 
-    fn at_seams<D: Real>(&self, block: &[[D; 3]; BLOCK], seam: &BlockValues<u8>, out: &mut [T]) {
+    /// Overwrites the values of directions at seams.
+    fn sample_seams<D: Real>(&self, block: &[[D; 3]; BLOCK], seam: &BlockValues<u8>, out: &mut [T]) {
         for (eight, flags) in seam.0.as_chunks::<8>().0.iter().enumerate() {
             if u64::from_ne_bytes(*flags) == 0 {
                 continue;
@@ -93,7 +91,7 @@ impl<'a, T: Real, S: SampledPicture<T>> Sampler<'a, T, S> {
             for lane in (0..8).filter(|&lane| flags[lane] != 0).map(|lane| 8 * eight + lane) {
                 // The last block may be partly filled.
                 let Some(values) = out.chunks_exact_mut(self.texels.channels).nth(lane) else { return };
-                self.surface.sample(DVec3::from_array(block[lane].map(Real::wide)), self.texels.filter, values);
+                self.picture.sample(DVec3::from_array(block[lane].map(Real::wide)), self.texels.filter, values);
             }
         }
     }
@@ -102,24 +100,24 @@ impl<'a, T: Real, S: SampledPicture<T>> Sampler<'a, T, S> {
 // Shared by cube maps and flat pictures, so that the kernels are compiled once.
 impl<T: Real> Texels<'_, T> {
     /// Writes the values of a block; those of directions at seams are undefined.
-    fn sample_inside(&self, placed: &Placed, out: &mut [T]) {
+    fn sample_inside(&self, positions: &Positions, out: &mut [T]) {
         match (self.filter, self.channels) {
-            (TexelFilter::Cubic, _) => self.cubic(placed, out),
-            (_, 1) => self.squares::<1>(placed, 0, out),
-            (_, 3) => self.squares::<3>(placed, 0, out),
-            (_, 4) => self.squares::<4>(placed, 0, out),
-            (_, channels) => (0..channels).for_each(|channel| self.squares::<1>(placed, channel, out)),
+            (TexelFilter::Cubic, _) => self.sample_4x4(positions, out),
+            (_, 1) => self.sample_2x2::<1>(positions, 0, out),
+            (_, 3) => self.sample_2x2::<3>(positions, 0, out),
+            (_, 4) => self.sample_2x2::<4>(positions, 0, out),
+            (_, channels) => (0..channels).for_each(|channel| self.sample_2x2::<1>(positions, channel, out)),
         }
     }
 
-    /// Mixes the four texels around each direction: `COUNT` channels from `first` on.
-    fn squares<const COUNT: usize>(&self, placed: &Placed, first: usize, out: &mut [T]) {
+    /// Combines the four texels around each direction: `COUNT` channels from `first` on.
+    fn sample_2x2<const COUNT: usize>(&self, positions: &Positions, first: usize, out: &mut [T]) {
         let zero = T::narrow(0.0);
         let mut texels = [[BlockValues([zero; BLOCK]); 4]; COUNT];
         let below = self.width * self.channels;
-        // Plain loops, because the compiler does not always inline iterator adapters here.
+        // Loops, because the compiler does not always inline iterator adapters here.
         for i in 0..BLOCK {
-            let start = placed.first.0[i] as usize * self.channels + first;
+            let start = positions.first.0[i] as usize * self.channels + first;
             let above = &self.values[start..start + self.channels + COUNT];
             let under = &self.values[start + below..start + below + self.channels + COUNT];
             for channel in 0..COUNT {
@@ -130,7 +128,7 @@ impl<T: Real> Texels<'_, T> {
             }
         }
         let mut weights = [BlockValues([0.0; BLOCK]); 4];
-        blocks::bilinear(placed, &mut weights);
+        blocks::bilinear(positions, &mut weights);
         let mut values = [BlockValues([zero; BLOCK]); COUNT];
         for (texels, values) in texels.iter().zip(&mut values) {
             match self.filter {
@@ -142,16 +140,16 @@ impl<T: Real> Texels<'_, T> {
         scatter(&values, first, self.channels, out);
     }
 
-    /// Mixes the 4 × 4 texels around each direction.
-    fn cubic(&self, placed: &Placed, out: &mut [T]) {
+    /// Combines the 4 × 4 texels around each direction.
+    fn sample_4x4(&self, positions: &Positions, out: &mut [T]) {
         let [mut across, mut down] = [[BlockValues([0.0; BLOCK]); 4]; 2];
-        blocks::cubic(&placed.s, &mut across);
-        blocks::cubic(&placed.t, &mut down);
+        blocks::cubic(&positions.s, &mut across);
+        blocks::cubic(&positions.t, &mut down);
         let mut texels = [BlockValues([T::narrow(0.0); BLOCK]); 4];
         for channel in 0..self.channels {
             let mut sums = BlockValues([0.0; BLOCK]);
             for (row, weights) in down.iter().enumerate() {
-                for (i, &texel) in placed.first.0.iter().enumerate() {
+                for (i, &texel) in positions.first.0.iter().enumerate() {
                     // Inside the picture there is a row above the texel and a column to its left.
                     let start = (texel as usize + row * self.width - self.width - 1) * self.channels + channel;
                     let four = &self.values[start..start + 3 * self.channels + 1];
@@ -166,10 +164,10 @@ impl<T: Real> Texels<'_, T> {
     }
 }
 
-/// Returns the value that precedes all others in the order `before`; NaN if all values are NaN.
+/// Returns the first value in the order `before`: the minimum for `a < b`, the maximum for `a > b`; NaN if all are NaN.
 pub(in crate::cubemap) fn first_value<T: Real>(values: impl Iterator<Item = T>, before: impl Fn(T, T) -> bool) -> T {
-    let earlier = |best, value| if before(value, best) || !is_known(best) { value } else { best };
-    values.fold(T::narrow(f64::NAN), earlier)
+    let first = |best, value| if before(value, best) || !is_known(best) { value } else { best };
+    values.fold(T::narrow(f64::NAN), first)
 }
 
 /// Writes `COUNT` channels from `first` on, for as many directions as `out` has room for.

@@ -1,10 +1,10 @@
 //! Seamless linear filtering: the texels around a direction and their weights.
 //!
-//! Inside a face the filter is bilinear. Clamping at a face's edge would show the seam. Taking the neighbour's nearest
-//! texel, as graphics hardware does, displaces the picture by up to a quarter of a texel there, because the gnomonic
-//! grids of two faces do not continue each other. Here the strip between the outermost rows of two faces is one
-//! bilinear patch in space, symmetric in both faces, and the three outermost texels at a corner span a triangle. The
-//! filtered map is continuous everywhere, and its error has the same order at seams as inside faces.
+//! Inside a face the filter is bilinear. Clamping at a face's edge would show the seam. Graphics hardware takes the
+//! neighbour's nearest texel, which displaces the picture by up to a quarter of a texel, because the gnomonic grids of
+//! two faces do not align at their edge. Here the strip between the outermost texel centres of two faces is a bilinear
+//! patch in space, symmetric in both faces, and the three outermost texel centres at a corner span a triangle. So the
+//! filtered map is continuous, and its error has the same order at seams as inside faces.
 
 use glam::DVec3;
 
@@ -28,7 +28,7 @@ impl Taps {
         // Half a texel in units of u and v: texel centres lie within ±(1 − half).
         let half = 1.0 / f64::from(size);
         if u.abs() > 1.0 - half || v.abs() > 1.0 - half {
-            return Self::at_seam(d, size);
+            return Self::new_at_seam(d, size);
         }
         let (column, s) = texel_at_or_before(u, size);
         let (row, t) = texel_at_or_before(v, size);
@@ -43,11 +43,11 @@ impl Taps {
     }
 
     #[cold]
-    fn at_seam(d: DVec3, size: u32) -> Self {
-        let axes = descending(d.abs());
+    fn new_at_seam(d: DVec3, size: u32) -> Self {
+        let axes = axes_by_size(d.abs());
         let scale = d.abs()[axes[0]];
         let m = axes.map(|axis| d.abs()[axis] / scale);
-        // The texel at the point with components (x, y, z) along the three axes, largest first, in the octant of d.
+        // Returns the texel at a point in the octant of d, given its components along the axes in the order of `axes`.
         let texel = |x: f64, y: f64, z: f64| {
             let mut p = DVec3::ZERO;
             for (axis, value) in axes.into_iter().zip([x, y, z]) {
@@ -58,8 +58,8 @@ impl Taps {
         let half = 1.0 / f64::from(size);
         let row = 1.0 - half;
 
-        // The patch between the rows of both faces is P(s, a) = (1−s) (1, 1−half, a) + s (1−half, 1, a). The ray along
-        // d meets it at these s and a (`along`).
+        // The patch between both faces' outermost rows is P(s, a) = (1−s) (1, 1−half, a) + s (1−half, 1, a). The ray
+        // along d meets it at these s and a (`along`).
         let s = (m[1] - row) / (half * (1.0 + m[1]));
         let along = m[2] * (1.0 - s * half);
         if along <= row {
@@ -71,7 +71,7 @@ impl Taps {
             };
         }
 
-        // The corner triangle (1, row, row), (row, 1, row), (row, row, 1), and the barycentric weights of d.
+        // The corner triangle is (1, row, row), (row, 1, row), (row, row, 1); `weight` are d's barycentric coordinates.
         let sum = (m[0] + m[1] + m[2]) / (1.0 + 2.0 * row);
         let weight = m.map(|x| ((x / sum - row) / half).max(0.0));
         let total = weight[0] + weight[1] + weight[2];
@@ -93,8 +93,8 @@ fn texel_at_or_before(position: f64, size: u32) -> (u32, f64) {
     (index, fraction)
 }
 
-/// Returns the axes, ordered from the largest component to the smallest.
-pub(super) fn descending(size: DVec3) -> [usize; 3] {
+/// Returns the axes in the order of their components, largest first.
+pub(super) fn axes_by_size(size: DVec3) -> [usize; 3] {
     let mut axes = [0, 1, 2];
     axes.sort_by(|&a, &b| size[b].total_cmp(&size[a]));
     axes
@@ -117,8 +117,7 @@ mod tests {
             for texel in 0..6 * size * size {
                 let taps = Taps::new(direction_from_texel(texel, size), size);
                 let own: f64 = (0..4).filter(|&i| taps.texel[i] == texel).map(|i| taps.weight[i]).sum();
-                // Weights are differences of numbers near 1, divided by half a texel, which is 1/16 or more: this
-                // multiplies some roundings of 1.1e-16 by up to 16.
+                // Weights are differences of numbers near 1, rounded by 1.1e-16, divided by at least 1/16.
                 assert!((own - 1.0).abs() < 1e-13, "{size} {texel} {taps:?}");
             }
         }
@@ -139,7 +138,7 @@ mod tests {
 
     #[test]
     fn errors_at_seams_are_no_larger_than_inside() {
-        // A smooth function in 10⁵ directions: those within half a texel of an edge against the others.
+        // Errors of a smooth function in 10⁵ directions: within half a texel of an edge, and elsewhere.
         let f = |d: DVec3| (1.7 * d.x - 0.6 * d.y).sin() + 0.8 * (2.1 * d.z + d.y).cos();
         for size in [8, 32, 128] {
             let (mut seam, mut inside) = (0.0f64, 0.0f64);
@@ -170,8 +169,8 @@ mod tests {
             };
             prop_assume!(d.abs().max_element() > 1e-9);
             let taps = Taps::new(d, size);
-            // Weights are differences of numbers near 1, divided by half a texel, which is 1/39 or more: this
-            // multiplies some roundings of 1.1e-16 by up to 39. The bound leaves a margin.
+            // Weights are differences of numbers near 1, with roundings of 1.1e-16, divided by half a texel, at least
+            // 1/39. The bound leaves a margin.
             prop_assert!((taps.weight.iter().sum::<f64>() - 1.0).abs() < 1e-12);
             prop_assert!(taps.weight.iter().all(|w| (-1e-12..=1.0 + 1e-12).contains(w)));
             prop_assert!(taps.texel.iter().all(|&t| t < 6 * size * size));
@@ -185,7 +184,7 @@ mod tests {
                 0 => DVec3::new(x, y, z),
                 1 => DVec3::new(x, x, z),
                 2 => DVec3::new(x, -x, x),
-                // The border between the inside of a face and the strip along its edge.
+                // The line between the inside of a face and the strip along its edge.
                 _ => DVec3::new(1.0, 1.0 - 1.0 / f64::from(size), y),
             };
             prop_assume!(d.abs().max_element() > 1e-3);

@@ -10,8 +10,8 @@ use crate::base::{Progress, Real, Result, ensure};
 const TILE: usize = 1 << 13;
 
 /// Runs a kernel over directions, block by block; the last block is padded. The kernel returns the number of its
-/// directions that are zero or not finite. `in_blocks` returns the index of the first of all these directions.
-pub(in crate::cubemap) fn in_blocks<T, D: Real>(
+/// directions that are zero or not finite. Returns the index of the first such direction.
+pub(in crate::cubemap) fn process_blocks<T, D: Real>(
     directions: &[[D; 3]],
     out: &mut [T],
     channels: usize,
@@ -31,9 +31,9 @@ pub(in crate::cubemap) fn in_blocks<T, D: Real>(
     if invalid_count == 0 { None } else { directions.iter().position(is_zero_or_not_finite) }
 }
 
-/// Runs a kernel over tiles of directions on the current thread pool. The kernel returns the index of the first
-/// direction of its tile that is zero or not finite. If there is such a direction, the error states the first one.
-pub(in crate::cubemap) fn in_tiles<T: Send, D: Real>(
+/// Runs a kernel over tiles of directions on the current thread pool. The kernel returns the index in its tile of the
+/// first direction that is zero or not finite. Fails with the index of the first such direction of all.
+pub(in crate::cubemap) fn process_tiles<T: Send, D: Real>(
     directions: &[[D; 3]],
     out: &mut [T],
     channels: usize,
@@ -51,9 +51,9 @@ pub(in crate::cubemap) fn in_tiles<T: Send, D: Real>(
     check_first_invalid(first_invalid.try_reduce(|| usize::MAX, |a, b| Ok(a.min(b)))?)
 }
 
-/// Returns the error for a direction that is zero or not finite, given its index; no error for `usize::MAX`.
+/// Fails for the index of a direction that is zero or not finite; `usize::MAX` stands for none.
 pub(in crate::cubemap) fn check_first_invalid(first_invalid: usize) -> Result<()> {
-    let got = format!("something else at index {first_invalid}");
+    let got = format!("zero, infinity or NaN at index {first_invalid}");
     ensure!(first_invalid == usize::MAX, "directions", "finite vectors other than zero", got);
     Ok(())
 }

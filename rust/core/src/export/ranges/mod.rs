@@ -1,9 +1,9 @@
-//! Ranges of the maps of rings as byte planes: the texels that a ring changes, and their new codes.
+//! Ranges of environment maps as byte planes: the texels that a ring changes, and their new codes.
 //!
 //! A code c stands for a range proportional to exp(c · step), [`NOTHING`] for no surface. Texels are visited face by
-//! face, row by row; each is predicted from texels visited before (`walk.rs`), and only the deviations are written
-//! (`planes.rs`). The caller compresses the bytes. All arithmetic is exact or rounded by IEEE 754, so every client
-//! predicts the same.
+//! face, row by row; each is predicted from texels visited before (`walk.rs`), and only the differences are written
+//! (`planes.rs`). The caller compresses the bytes. All arithmetic is exact or rounded as in IEEE 754, so that every
+//! client makes the same predictions.
 
 mod planes;
 mod scale;
@@ -14,11 +14,11 @@ mod walk;
 pub use scale::{Faces, MAX_STEP, NOTHING};
 
 use crate::base::{Error, Progress, Result, ensure};
-use planes::{Reader, Writer, damaged};
+use planes::{Reader, Writer, damage_error};
 use walk::Walk;
 
-/// Encodes the planes of a map's codes. With the codes `before`, only those of `changed` texels; otherwise all. Texels
-/// outside the listed tiles must not be changed.
+/// Encodes a map's codes as planes: the codes of `changed` texels if the map has the previous codes `before`, otherwise
+/// all. Texels outside the listed tiles must not be changed.
 pub fn encode(
     codes: &[u16],
     before: Option<&[u16]>,
@@ -43,8 +43,8 @@ pub fn encode(
     Ok(writer.planes())
 }
 
-/// Decodes the codes of `count` faces, and which texels change. For planes of changed texels, `before` has the
-/// previous codes.
+/// Decodes the codes of `count` faces, and which texels are changed. `before` has the previous codes if the planes have
+/// only those of changed texels.
 pub fn decode(
     planes: &[&[u8]],
     count: usize,
@@ -55,7 +55,7 @@ pub fn decode(
     let texels = count.saturating_mul(faces.size.saturating_mul(faces.size));
     let mut reader = Reader::new(planes)?;
     if before.is_none() && planes[1].len() < texels / 8 {
-        return Err(damaged("fewer bytes"));
+        return Err(damage_error("fewer bytes"));
     }
     let mut codes = before.map_or_else(|| vec![0; texels], <[u16]>::to_vec);
     let mut changed = vec![false; codes.len()];

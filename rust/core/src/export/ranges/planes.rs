@@ -1,20 +1,20 @@
-//! Byte planes of prediction residuals: frequent small numbers in few bits, apart from rare large ones.
+//! Byte planes of prediction residuals: frequent small numbers in few bits, and rare large ones in planes of their own.
 //!
-//! Nine planes: flags of changed texels, flags of texels without a surface, and residuals. With high trust a residual
-//! starts with a bit; if that is 1, a pair of bits follows for the rest. With some trust or calm it starts with a
-//! pair. A pair of 3 is followed by a byte for the rest; with low trust a residual starts with a byte. A byte of 255
-//! is followed by a word for the rest; words are stored as all high bytes before all low ones. Bits and pairs fill a
-//! byte from its highest bit.
+//! There are nine planes: flags of changed texels, flags of texels without a surface, and seven planes of residuals. A
+//! residual is a sum of up to four digits: a bit, a pair of bits, a byte and a 16-bit word. A digit that has its
+//! maximum is followed by the next one. The trust in the prediction decides the first digit: a bit with `High` trust, a
+//! pair with `Some` and `Calm`, a byte with `Low`. Bits and pairs fill a byte from its highest bit. The plane of words
+//! has all high bytes, then all low bytes.
 
 use crate::base::{Error, Result};
 
 /// Number of planes.
 pub(super) const PLANES: usize = 9;
-/// Plane of the first bits of residuals; the planes before it have the flags.
+/// Plane of bits, after the two planes of flags.
 const BITS: usize = 2;
-/// Pair planes: after a bit, with some trust, and calm.
+/// Planes of pairs for `High`, `Some` and `Calm` trust.
 const PAIRS: [usize; 3] = [3, 4, 5];
-/// Byte planes: after a pair, and with low trust.
+/// Planes of bytes that follow a pair, and for `Low` trust.
 const BYTES: [usize; 2] = [6, 7];
 const WORDS: usize = 8;
 
@@ -23,13 +23,13 @@ const WORDS: usize = 8;
 pub(super) enum Trust {
     High,
     Some,
-    /// Predicted by agreeing neighbours only.
+    /// No run predicts the texel, but its left and upper neighbour are similar.
     Calm,
     Low,
 }
 
 impl Trust {
-    /// Returns the bit, pair and byte plane for residuals of this trust.
+    /// Returns the planes of bits, pairs and bytes for residuals of this trust.
     fn planes(self) -> (Option<usize>, Option<usize>, usize) {
         match self {
             Self::High => (Some(BITS), Some(PAIRS[0]), BYTES[0]),
@@ -40,7 +40,7 @@ impl Trust {
     }
 }
 
-/// Flag of a texel; its number is that of its plane.
+/// Flag of a texel; its value is the number of its plane.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Flag {
     /// The texel changes.
@@ -49,22 +49,24 @@ pub(super) enum Flag {
     Nothing,
 }
 
-/// One end of the planes: a writer stores and returns its arguments, a reader returns what it reads.
+/// Writer or reader of planes, so that both share the walk over the texels. A writer stores and returns `value`; a
+/// reader ignores it and returns the stored value.
 pub(super) trait Link {
-    /// Codes a flag.
+    /// Writes or reads a flag.
     fn flag(&mut self, flag: Flag, predicted: bool, value: bool) -> Result<bool>;
-    /// Codes the difference of a code from its prediction, folded: 0, −1, 1, −2, … as 0, 1, 2, 3, ….
+    /// Writes or reads the difference between a code and its prediction, with 0, −1, 1, −2, … as 0, 1, 2, 3, ….
     fn residual(&mut self, trust: Trust, value: u16) -> Result<u16>;
 }
 
-/// A plane of numbers of a few bits each.
+/// A plane of bits or pairs.
 #[derive(Default)]
-struct Packed {
+struct BitPlane {
     bytes: Vec<u8>,
+    /// Number of used bits of the last byte, modulo 8.
     used: u32,
 }
 
-impl Packed {
+impl BitPlane {
     fn push(&mut self, value: u8, bits: u32) {
         if self.used.is_multiple_of(8) {
             self.bytes.push(0);
@@ -78,7 +80,7 @@ impl Packed {
 
 #[derive(Default)]
 pub(super) struct Writer {
-    packed: [Packed; BYTES[0]],
+    packed: [BitPlane; BYTES[0]],
     bytes: [Vec<u8>; 2],
     words: Vec<u16>,
 }
@@ -125,7 +127,7 @@ pub(super) struct Reader<'a> {
 
 impl<'a> Reader<'a> {
     pub fn new(planes: &[&'a [u8]]) -> Result<Self> {
-        let planes: [&[u8]; PLANES] = planes.try_into().map_err(|_| damaged("another number of planes"))?;
+        let planes: [&[u8]; PLANES] = planes.try_into().map_err(|_| damage_error("another number of planes"))?;
         Ok(Self { planes, read: [0; PLANES] })
     }
 
@@ -137,18 +139,18 @@ impl<'a> Reader<'a> {
             _ => self.read[plane].div_ceil(8),
         };
         let is_finished = (0..PLANES).all(|plane| read_bytes(plane) == self.planes[plane].len());
-        if is_finished { Ok(()) } else { Err(damaged("more bytes")) }
+        if is_finished { Ok(()) } else { Err(damage_error("more bytes")) }
     }
 
     fn bits(&mut self, plane: usize, bits: usize) -> Result<u16> {
         let index = self.read[plane];
-        let byte = self.planes[plane].get(index / 8).ok_or_else(|| damaged("fewer bytes"))?;
+        let byte = self.planes[plane].get(index / 8).ok_or_else(|| damage_error("fewer bytes"))?;
         self.read[plane] += bits;
         Ok(u16::from(byte >> (8 - bits - index % 8)) & ((1 << bits) - 1))
     }
 
     fn byte(&mut self, plane: usize) -> Result<u16> {
-        let byte = self.planes[plane].get(self.read[plane]).ok_or_else(|| damaged("fewer bytes"))?;
+        let byte = self.planes[plane].get(self.read[plane]).ok_or_else(|| damage_error("fewer bytes"))?;
         self.read[plane] += 1;
         Ok(u16::from(*byte))
     }
@@ -156,7 +158,9 @@ impl<'a> Reader<'a> {
     fn word(&mut self) -> Result<u16> {
         let (high, low) = self.planes[WORDS].split_at(self.planes[WORDS].len() / 2);
         let index = self.read[WORDS];
-        let (Some(&high), Some(&low)) = (high.get(index), low.get(index)) else { return Err(damaged("fewer bytes")) };
+        let (Some(&high), Some(&low)) = (high.get(index), low.get(index)) else {
+            return Err(damage_error("fewer bytes"));
+        };
         self.read[WORDS] += 1;
         Ok(u16::from_be_bytes([high, low]))
     }
@@ -180,11 +184,11 @@ impl Link for Reader<'_> {
         }
         let byte = self.byte(byte)?;
         let word = if byte == 255 { self.word()? } else { 0 };
-        (sum + byte).checked_add(word).ok_or_else(|| damaged("a number beyond 16 bits"))
+        (sum + byte).checked_add(word).ok_or_else(|| damage_error("a number beyond 16 bits"))
     }
 }
 
 /// Returns the error for malformed planes.
-pub(super) fn damaged(got: &str) -> Error {
+pub(super) fn damage_error(got: &str) -> Error {
     Error::value("ranges", "planes of the listed tiles", got)
 }

@@ -1,11 +1,11 @@
-//! Face layout of a range map, and the ranges of its codes, bit-equal on every machine.
+//! Face layout of a range map, and the ranges of its codes, which have the same bits on every machine.
 
 use crate::base::{Error, Result, ensure, number};
 
-/// Maximum logarithm of the ratio of two consecutive codes' ranges.
+/// Maximum `Faces::step`: the range of the last code is then exp(700), near the maximum of float64.
 pub const MAX_STEP: f64 = 700.0 / 65535.0;
 
-/// Layout of a map's faces, and its listed tiles.
+/// Layout of a map's faces, and the tiles that may change.
 #[derive(Clone, Copy, Debug)]
 pub struct Faces<'a> {
     /// Texels along a face.
@@ -42,14 +42,14 @@ impl Faces<'_> {
 /// Code of texels without a surface.
 pub const NOTHING: u16 = u16::MAX;
 
-/// Codes around a guess that are tried before a full search.
+/// Maximum distance from a guess, in codes, of the codes that are tried before all codes are searched.
 const NEARBY: usize = 4;
 
-/// Ranges of all codes, relative to that of code 0.
+/// Ranges of all codes, relative to the range of code 0.
 pub(super) struct Scale {
     /// exp(−c · step) of each code c.
     reciprocals: Vec<f64>,
-    /// exp((c + ½) · step), the end of code c.
+    /// exp((c + ½) · step): the range at which code c ends and code c + 1 begins.
     ends: Vec<f64>,
 }
 
@@ -64,13 +64,13 @@ impl Scale {
         }
     }
 
-    /// Returns the value that is linear in x and y over the texels of a plane: `distance`, from the centre to the
-    /// texel on a face at depth 1, divided by the range.
+    /// Returns `distance` divided by the range, with `distance` from the centre to the texel on a face at depth 1. This
+    /// reciprocal depth is linear in x and y over the texels of a plane.
     pub fn nearness(&self, code: u16, distance: f64) -> f64 {
         distance * self.reciprocals[usize::from(code)]
     }
 
-    /// Returns the code of a nearness; the last one if it is not positive. `guess` only saves time.
+    /// Returns the code of a nearness; the last code if the nearness is not positive. `guess` only saves time.
     pub fn code(&self, nearness: f64, distance: f64, guess: u16) -> u16 {
         if nearness <= 0.0 || nearness.is_nan() {
             return NOTHING - 1;
@@ -85,7 +85,7 @@ impl Scale {
     }
 }
 
-/// Returns exp(x) of small x by its series, because library functions differ in the last digit.
+/// Returns exp(x) of a small x by its power series, because library functions differ in the last digit.
 fn exponential(x: f64) -> f64 {
     (1..=10).rev().fold(1.0, |sum, n| 1.0 + x / f64::from(n) * sum)
 }

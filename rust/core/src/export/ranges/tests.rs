@@ -7,7 +7,7 @@ const SIZE: usize = 16;
 const TILE: usize = 4;
 const TEXELS: usize = 6 * SIZE * SIZE;
 
-/// Two maps: slopes, steps and noise with holes; in the second, patches of listed tiles are farther or holes.
+/// Two maps of slopes, steps, noise and holes. In the second, patches of listed tiles are farther or holes.
 struct Maps {
     before: Vec<u16>,
     after: Vec<u16>,

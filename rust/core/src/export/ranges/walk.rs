@@ -1,28 +1,29 @@
-//! Prediction of texels from texels visited before.
+//! Visits the texels of a map and predicts each from texels visited before.
 
-use super::planes::{Flag, Link, Trust, damaged};
+use super::planes::{Flag, Link, Trust, damage_error};
 use super::scale::{Faces, NOTHING, Scale};
 use crate::base::{Progress, Result};
 
-/// Number of texels that a fit remembers.
+/// A run of more texels is fitted as if it had this many, so that it follows slow changes.
 const MEMORY: u32 = 128;
-/// Minimum number of texels of a run that predicts.
+/// Minimum number of texels in a run that predicts the next texel.
 const MIN_RUN: u32 = 3;
-/// Number of texels above which a run is trusted; two runs that agree are trusted above twice this number.
+/// Longer runs are trusted; two runs that agree are trusted if their sum exceeds twice this number of texels.
 const TRUSTED_RUN: u32 = 8;
-/// Maximum code difference between a texel and its run.
+/// Maximum code difference between a texel and the prediction of its run.
 const MAX_DIFFERENCE: u16 = 1;
 /// Maximum code difference between the first two texels of a run.
 const MAX_FIRST_DIFFERENCE: u16 = 64;
-/// Maximum code difference between the left and the upper neighbour of a calm texel.
+/// Maximum code difference between the left and the upper neighbour for `Trust::Calm`.
 const MAX_CALM_DIFFERENCE: u16 = 8;
 
-/// Least-squares line through the values of consecutive texels of a row or a column that lie on one plane.
+/// Least-squares line through the values of consecutive texels of a row or column that lie on one plane in space.
 #[derive(Clone, Copy, Debug, Default)]
 struct Run {
+    /// Value of the line at the last texel.
     value: f64,
     slope: f64,
-    /// Number of texels on the line; 0 for none.
+    /// Number of texels in the run.
     count: u32,
 }
 
@@ -34,7 +35,8 @@ impl Run {
 
     /// Adds the next texel; starts a new line if it does not fit.
     ///
-    /// Least squares over n texels move the line by (4n − 2)/(n(n + 1)) of the error, and its slope by 6/(n(n + 1)).
+    /// The n-th texel moves the end of the least-squares line by (4n − 2)/(n(n + 1)) times the line's error there, and
+    /// its slope by 6/(n(n + 1)) times the error.
     fn add(&mut self, value: f64, fits: bool) {
         if !fits || self.count == 0 {
             *self = Self { value, slope: 0.0, count: 1 };
@@ -49,16 +51,16 @@ impl Run {
     }
 }
 
-/// State between texels.
+/// State of the walk between texels.
 pub(super) struct Walk<'a> {
     faces: Faces<'a>,
     scale: Scale,
     columns: Vec<Run>,
-    /// Code of the last texel with a surface.
+    /// Code of the last visited texel with a surface.
     last: u16,
 }
 
-/// The face being visited.
+/// The face that is visited.
 struct Face<'a, L> {
     codes: &'a mut [u16],
     before: Option<&'a [u16]>,
@@ -71,7 +73,7 @@ impl<'a> Walk<'a> {
         Self { faces, scale: Scale::new(faces.step), columns: vec![Run::default(); faces.size], last: 0 }
     }
 
-    /// Visits the texels of a face: those of listed tiles, or all if there are no previous codes.
+    /// Visits the texels of a face: those in listed tiles, or all if there are no previous codes.
     pub fn face(
         &mut self,
         number: usize,
@@ -113,32 +115,31 @@ impl<'a> Walk<'a> {
                 run = Run::default();
                 continue;
             }
-            let around = Around::new(x, y, size);
+            let texel = Texel::new(x, y, size);
             if listed[x / tile] {
-                let texel = around.texel;
-                face.changed[texel] =
-                    face.link.flag(Flag::Changed, around.predicted_change(face), face.changed[texel])?;
+                let is_changed = face.changed[texel.index];
+                face.changed[texel.index] = face.link.flag(Flag::Changed, texel.predict_change(face), is_changed)?;
             }
             let u = centre(x);
-            self.visit(&around, (1.0 + u * u + v * v).sqrt(), &mut run, face)?;
+            self.visit(&texel, (1.0 + u * u + v * v).sqrt(), &mut run, face)?;
         }
         Ok(())
     }
 
-    /// Codes a texel if its code changes or there are no previous codes; adds it to its row's and column's runs.
-    fn visit(&mut self, around: &Around, distance: f64, row: &mut Run, face: &mut Face<'_, impl Link>) -> Result<()> {
-        let (texel, column) = (around.texel, &mut self.columns[around.x]);
-        let is_new = face.before.is_none() || face.changed[texel];
-        let mut is_nothing = face.codes[texel] == NOTHING;
+    /// Writes or reads a texel that changes or has no previous code, and adds it to the runs of its row and column.
+    fn visit(&mut self, texel: &Texel, distance: f64, row: &mut Run, face: &mut Face<'_, impl Link>) -> Result<()> {
+        let (index, column) = (texel.index, &mut self.columns[texel.x]);
+        let is_new = face.before.is_none() || face.changed[index];
+        let mut is_nothing = face.codes[index] == NOTHING;
         if is_new {
-            is_nothing = face.link.flag(Flag::Nothing, around.predicted_nothing(face.codes), is_nothing)?;
+            is_nothing = face.link.flag(Flag::Nothing, texel.predict_nothing(face.codes), is_nothing)?;
         }
         if is_nothing {
-            face.codes[texel] = NOTHING;
+            face.codes[index] = NOTHING;
             (*row, *column) = (Run::default(), Run::default());
             return Ok(());
         }
-        let neighbour = around.predicted(face.codes, self.last);
+        let neighbour = texel.predict_code(face.codes, self.last);
         let run_code = |run: &Run| (run.count > 0).then(|| self.scale.code(run.next(), distance, neighbour));
         let (by_row, by_column) = (run_code(row), run_code(column));
         if is_new {
@@ -153,15 +154,15 @@ impl<'a> Walk<'a> {
                 (Some(a), Some(b)) => (if a.abs_diff(neighbour) <= b.abs_diff(neighbour) { a } else { b }, Trust::Some),
                 (Some(code), None) if code.abs_diff(neighbour) <= MAX_DIFFERENCE => (code, trust_in(row)),
                 (None, Some(code)) if code.abs_diff(neighbour) <= MAX_DIFFERENCE => (code, trust_in(column)),
-                _ => (neighbour, around.trust(face.codes)),
+                _ => (neighbour, texel.trust(face.codes)),
             };
-            let residual = face.link.residual(trust, fold(face.codes[texel].wrapping_sub(guess)))?;
-            face.codes[texel] = guess.wrapping_add(unfold(residual));
-            if face.codes[texel] == NOTHING {
-                return Err(damaged("a surface without range"));
+            let residual = face.link.residual(trust, fold(face.codes[index].wrapping_sub(guess)))?;
+            face.codes[index] = guess.wrapping_add(unfold(residual));
+            if face.codes[index] == NOTHING {
+                return Err(damage_error("a surface without range"));
             }
         }
-        let code = face.codes[texel];
+        let code = face.codes[index];
         let nearness = self.scale.nearness(code, distance);
         for (run, guess) in [(row, by_row), (column, by_column)] {
             let max_difference = if run.count < 2 { MAX_FIRST_DIFFERENCE } else { MAX_DIFFERENCE };
@@ -176,50 +177,52 @@ fn trust_in(run: &Run) -> Trust {
     if run.count > TRUSTED_RUN { Trust::High } else { Trust::Some }
 }
 
-/// A texel and its neighbours to the left, above, above left and above right, if the face has them.
-struct Around {
+/// A texel and those of its neighbours that are visited before it.
+struct Texel {
     x: usize,
-    texel: usize,
+    index: usize,
     left: Option<usize>,
     above: Option<usize>,
+    /// Above left.
     corner: Option<usize>,
+    /// Above right.
     right: Option<usize>,
 }
 
-impl Around {
+impl Texel {
     fn new(x: usize, y: usize, size: usize) -> Self {
-        let texel = y * size + x;
+        let index = y * size + x;
         Self {
             x,
-            texel,
-            left: (x > 0).then(|| texel - 1),
-            above: (y > 0).then(|| texel - size),
-            corner: (x > 0 && y > 0).then(|| texel - size - 1),
-            right: (x + 1 < size && y > 0).then(|| texel - size + 1),
+            index,
+            left: (x > 0).then(|| index - 1),
+            above: (y > 0).then(|| index - size),
+            corner: (x > 0 && y > 0).then(|| index - size - 1),
+            right: (x + 1 < size && y > 0).then(|| index - size + 1),
         }
     }
 
-    /// Predicts the change of the neighbour whose previous range was nearest to the texel's.
-    fn predicted_change(&self, face: &Face<'_, impl Link>) -> bool {
+    /// Predicts that the texel changes if the neighbour with the most similar previous range does.
+    fn predict_change(&self, face: &Face<'_, impl Link>) -> bool {
         let changes = |texel: usize| face.changed[texel];
         let (Some(left), Some(above)) = (self.left, self.above) else {
             return self.left.or(self.above).is_some_and(changes);
         };
         match face.before {
             Some(before) => {
-                let step = |texel: usize| before[texel].abs_diff(before[self.texel]);
-                changes(if step(left) <= step(above) { left } else { above })
+                let difference = |texel: usize| before[texel].abs_diff(before[self.index]);
+                changes(if difference(left) <= difference(above) { left } else { above })
             }
             None => median(changes(left), changes(above), self.corner.is_some_and(changes)),
         }
     }
 
-    fn predicted_nothing(&self, codes: &[u16]) -> bool {
+    fn predict_nothing(&self, codes: &[u16]) -> bool {
         let is_nothing = |texel: Option<usize>| texel.is_none_or(|texel| codes[texel] == NOTHING);
         median(is_nothing(self.left), is_nothing(self.above), is_nothing(self.corner))
     }
 
-    /// Returns the trust in `predicted`.
+    /// Returns the trust in `predict_code`.
     fn trust(&self, codes: &[u16]) -> Trust {
         match (surface_code(codes, self.left), surface_code(codes, self.above)) {
             (Some(left), Some(above)) if left.abs_diff(above) <= MAX_CALM_DIFFERENCE => Trust::Calm,
@@ -227,9 +230,9 @@ impl Around {
         }
     }
 
-    /// Returns the median of left, above and left + above − corner; if one of them is missing, the first available
-    /// one, or `last`.
-    fn predicted(&self, codes: &[u16], last: u16) -> u16 {
+    /// Returns the median of left, above and left + above − corner. If one of them has no surface, returns the first
+    /// neighbour that has one, else `last`.
+    fn predict_code(&self, codes: &[u16], last: u16) -> u16 {
         let code = |texel| surface_code(codes, texel);
         let (left, above, corner) = (code(self.left), code(self.above), code(self.corner));
         let (Some(left), Some(above), Some(corner)) = (left, above, corner) else {
@@ -246,13 +249,12 @@ fn surface_code(codes: &[u16], texel: Option<usize>) -> Option<u16> {
     texel.map(|texel| codes[texel]).filter(|&code| code != NOTHING)
 }
 
-/// Returns the median of left, above and left + above − corner for flags: both without the corner's flag, otherwise
-/// either.
+/// Returns the median of left, above and left + above − corner, for flags as 0 and 1.
 fn median(left: bool, above: bool, corner: bool) -> bool {
     if corner { left && above } else { left || above }
 }
 
-/// Folds 0, −1, 1, −2, … to 0, 1, 2, 3, ….
+/// Maps 0, −1, 1, −2, … to 0, 1, 2, 3, ….
 fn fold(difference: u16) -> u16 {
     (difference << 1) ^ ((difference as i16 >> 15) as u16)
 }

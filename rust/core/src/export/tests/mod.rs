@@ -63,7 +63,7 @@ fn glb(export: &Export, group: u16) -> Glb {
 const PLAIN: Settings = Settings { step: 1.0 / 1024.0, compressed: false };
 const COMPRESSED: Settings = Settings { compressed: true, ..PLAIN };
 
-/// Rounds corners to multiples of `unit`, sorted, starting with the smallest; omits triangles without area.
+/// Rounds triangles with area to multiples of `unit` and sorts them; each starts with its smallest corner.
 fn rounded(triangles: impl IntoIterator<Item = [DVec3; 3]>, unit: f64) -> Vec<[[i64; 3]; 3]> {
     let mut all = vec![];
     for corners in triangles {
@@ -80,7 +80,7 @@ fn rounded(triangles: impl IntoIterator<Item = [DVec3; 3]>, unit: f64) -> Vec<[[
     all
 }
 
-/// Rounds to the nearest integer, or to a multiple of the smallest power of two that needs fewer than 2²³ steps.
+/// Rounds to the nearest multiple of the smallest power of two, at least 1, whose factor is below 2²³.
 fn rounded_number(x: f64) -> i64 {
     let mut power = 1.0;
     while (x / power).round_ties_even().abs() >= 2f64.powi(23) {
@@ -89,13 +89,13 @@ fn rounded_number(x: f64) -> i64 {
     ((x / power).round_ties_even() * power) as i64
 }
 
-/// Returns the scene's triangles as placed in float64.
+/// Returns the scene's triangles, placed in float64.
 fn exact(scene: &Scene) -> Vec<[DVec3; 3]> {
-    let of = |instance: &Instance| -> Vec<[DVec3; 3]> {
+    let triangles = |instance: &Instance| -> Vec<[DVec3; 3]> {
         let corner = |p: Vec3| instance.to_scene.transform_point3(p.as_dvec3());
         (0..instance.mesh.faces.len() as u32).map(|face| instance.mesh.corners(face).map(corner)).collect()
     };
-    scene.instances().flat_map(of).collect()
+    scene.instances().flat_map(triangles).collect()
 }
 
 fn corners(triangles: &[Triangle]) -> impl Iterator<Item = [DVec3; 3]> + '_ {
@@ -120,7 +120,7 @@ fn merged_triangles_are_the_scenes_on_the_grid_up_to_eight_kilometres() {
 }
 
 #[test]
-fn far_corners_get_a_coarser_grid_with_a_note() {
+fn far_corners_get_a_coarser_grid_and_the_error_is_reported() {
     let scene = scene(vec![instance(&plain_mesh(1, 50), DAffine3::from_translation(DVec3::X * 20_000.0), 0)], vec![]);
     let file = glb(&export(&scene, &[0, 0], 1, COMPRESSED), 0);
     assert_eq!(file.statistics.position_error, 2.0 / 1024.0);
@@ -141,22 +141,22 @@ fn compressed_arrays_are_the_plain_ones_bit_for_bit() {
     let (plain_primitives, compressed_primitives) = (primitives(&plain), primitives(&compressed));
     // No material, the blue one, which needs no texture coordinates, and the textured one.
     assert_eq!((plain_primitives.len(), compressed_primitives.len()), (3, 3));
-    for (one, other) in plain_primitives.iter().zip(&compressed_primitives) {
+    for (a, b) in plain_primitives.iter().zip(&compressed_primitives) {
         // The codec for triangles may rotate the corners.
         let from_least = |corners: Vec<u32>| -> Vec<[u32; 3]> {
             let turned = |&[a, b, c]: &[u32; 3]| [[a, b, c], [b, c, a], [c, a, b]].into_iter().min();
             corners.as_chunks().0.iter().filter_map(turned).collect()
         };
-        let faces = [plain.corners(&one["indices"]), compressed.corners(&other["indices"])].map(from_least);
+        let faces = [plain.corners(&a["indices"]), compressed.corners(&b["indices"])].map(from_least);
         assert!(faces[0] == faces[1]);
         for name in ["POSITION", "TEXCOORD_0", "COLOR_0"] {
-            assert_eq!(one["attributes"].get(name).is_some(), other["attributes"].get(name).is_some());
-            if let Some(accessor) = one["attributes"].get(name) {
-                assert!(plain.bytes(accessor) == compressed.bytes(&other["attributes"][name]), "{name}");
+            assert_eq!(a["attributes"].get(name).is_some(), b["attributes"].get(name).is_some());
+            if let Some(accessor) = a["attributes"].get(name) {
+                assert!(plain.bytes(accessor) == compressed.bytes(&b["attributes"][name]), "{name}");
             }
         }
-        let exact = plain.floats::<3>(&one["attributes"]["NORMAL"]);
-        let short = compressed.bytes(&other["attributes"]["NORMAL"]);
+        let exact = plain.floats::<3>(&a["attributes"]["NORMAL"]);
+        let short = compressed.bytes(&b["attributes"]["NORMAL"]);
         for (exact, short) in exact.iter().zip(short.chunks_exact(4)) {
             let short = Vec3::from_array([0, 1, 2].map(|i| f32::from(short[i] as i8))).normalize();
             assert!(short.distance(Vec3::from_array(*exact)) < 1e-6);
@@ -191,15 +191,15 @@ fn shared_meshes_are_written_once_and_placed_within_their_bound() {
             assert_eq!(outside.list("meshes").len(), 1);
             found.extend(corners(&triangles).map(|corners| (corners, inside.statistics.position_error)));
         }
-        // Nearest triangles of the scene, corner by corner: meshes are small, so all pairs are compared.
+        // Each triangle is compared with the nearest of the scene, corner by corner, over all pairs.
         let exact = exact(&scene);
         let stored = export.shared[0].statistics();
         assert_eq!(found.len() as u64, 10 * stored.triangles);
-        let spun = |[a, b, c]: [DVec3; 3]| [[a, b, c], [b, c, a], [c, a, b]];
+        let rotations = |[a, b, c]: [DVec3; 3]| [[a, b, c], [b, c, a], [c, a, b]];
         let error =
             |a: [DVec3; 3], b: [DVec3; 3]| (0..3).map(|i| (a[i] - b[i]).abs().max_element()).fold(0.0, f64::max);
         for (corners, bound) in found {
-            let nearest = exact.iter().flat_map(|&other| spun(other)).map(|other| error(corners, other));
+            let nearest = exact.iter().flat_map(|&other| rotations(other)).map(|other| error(corners, other));
             let nearest = nearest.fold(f64::INFINITY, f64::min);
             assert!(nearest <= bound + 1e-12 && bound <= settings.step, "{nearest} {bound}");
         }
@@ -219,7 +219,7 @@ fn mirrored_placements_keep_their_fronts() {
         assert_eq!(export.shared.len(), 2, "one for each side");
         let file = glb(&export, 0);
         let found = Read::new(&file.bytes, &[]).triangles();
-        // A coarse unit with few corners near its edges: this compares the winding, not the error.
+        // Normals are rounded coarsely, because this compares the winding, not the error.
         let normal = |[a, b, c]: &[DVec3; 3]| (b - a).cross(c - a).normalize().to_array();
         let normals = |triangles: &[[DVec3; 3]]| {
             let rounded = triangles.iter().map(|corners| normal(corners).map(|x| (x * 20.0).round() as i64));
@@ -252,9 +252,9 @@ fn faces_of_merged_objects_go_to_the_files_of_their_groups() {
     let mut joined: Vec<_> = (0..4).flat_map(|group| read(&parts, group)).collect();
     joined.sort_unstable();
     assert_eq!(joined, read(&whole, 0));
-    let of = |object: i32| (0..300).filter(|face| face / 7 % 5 - 1 == object).count() as u64;
+    let faces_of = |object: i32| (0..300).filter(|face| face / 7 % 5 - 1 == object).count() as u64;
     let counts: Vec<u64> = (0..4).map(|group| glb(&parts, group).statistics).map(|s| s.triangles + s.dropped).collect();
-    assert_eq!(counts, [of(1), of(-1), of(0) + of(2), of(3) + 20]);
+    assert_eq!(counts, [faces_of(1), faces_of(-1), faces_of(0) + faces_of(2), faces_of(3) + 20]);
 }
 
 #[test]
@@ -279,8 +279,8 @@ fn moving_objects_are_nodes_with_names() {
 }
 
 #[test]
-fn normals_and_faces_show_one_side() {
-    // Three faces of a fan: with normals, with one missing, and without. The first two list their corners clockwise.
+fn faces_are_oriented_to_their_normals() {
+    // Faces with normals, with one normal missing, without normals. The first two list their corners clockwise.
     let positions = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0], [0.0, 2.0, 0.0]];
     let up = [0.0, 0.0, 1.0];
     let normals = vec![up, up, [0.0; 3], [0.0; 3], [0.0; 3]];

@@ -1,4 +1,4 @@
-//! Models prepared for the budget, scores of their levels for a block of objects, and the slopes of the upper hulls.
+//! Ladders of selectable levels, their scores for a block of objects, and the slopes of the upper hulls.
 
 use super::super::elementary::{exp, ln};
 use super::super::select::{Model, Parameters, score};
@@ -6,42 +6,41 @@ use super::prices::{ALWAYS, class};
 use crate::base::simd::vectorized;
 use crate::base::{Error, Result};
 
-/// Curves of a model, and the triangle counts of all its levels, level 0 first.
+/// Curves of a model, and the triangle counts of all its levels.
 #[derive(Clone, Copy, Debug)]
 pub struct RatedModel<'a> {
     /// Curves, sizes and pixels.
     pub model: Model<'a>,
-    /// For each curve, a second one that is added to it: scores that fall and rise again with size are the sum of both.
-    /// Empty if there are none.
+    /// For each curve, a second curve that is added to it, for scores that fall and rise again with size; or empty.
     pub rises: &'a [Parameters],
-    /// Triangle count of each level: one entry more than curves, never increasing.
+    /// Triangle count of each level, level 0 first, never increasing.
     pub triangles: &'a [i64],
 }
 
 impl RatedModel<'_> {
     /// Returns the score of a level at a size up to the maximum measured one.
-    pub fn score(&self, level: usize, read: f64) -> f64 {
+    pub fn score(&self, level: usize, curve_size: f64) -> f64 {
         let rise = level.checked_sub(1).and_then(|n| self.rises.get(n));
-        self.model.score(level, read) + rise.map_or(0.0, |curve| score(curve, read.max(self.model.range[0])))
+        self.model.score(level, curve_size)
+            + rise.map_or(0.0, |curve| score(curve, curve_size.max(self.model.range[0])))
     }
 }
 
 /// Selectable levels of a model: level 0 and those with curves, finest first.
 #[derive(Clone, Debug)]
 pub(super) struct Ladder {
-    /// Number of each level in the model.
+    /// Level number in the model of each ladder position.
     pub level: Vec<i32>,
     pub triangles: Vec<u64>,
     /// Triangles added by each step; step n leads from level n + 1 to level n.
     pub added: Vec<u64>,
     /// a, b, ln c and d of each level but the first.
     pub curves: Vec<[f64; 4]>,
-    /// The same of the curves that are added; one for each level but the first, or none.
+    /// Parameters of the curves that are added, in the same form; one for each level but the first, or none.
     pub rises: Vec<[f64; 4]>,
-    /// Row by row for each coarser level k: 1/(triangles of j − triangles of k) for the finer levels j < k; +∞ for
-    /// equal counts.
+    /// A row for each coarser level k: 1/(triangles of j − triangles of k) for the levels j < k, +∞ for equal counts.
     pub per_triangle: Vec<f64>,
-    /// Minimum and maximum size at which curves are read.
+    /// Minimum and maximum size at which curves are evaluated.
     pub range: [f64; 2],
 }
 
@@ -79,7 +78,7 @@ impl Ladder {
         Ok(ladder)
     }
 
-    /// Returns the number of steps from one level to the next finer one.
+    /// Returns the number of steps between neighbouring levels.
     pub fn steps(&self) -> usize {
         self.curves.len()
     }
@@ -93,7 +92,7 @@ impl Ladder {
 /// Number of objects in a block.
 pub(super) const LANES: usize = 32;
 
-/// Relative difference of two slopes that may be due to rounding.
+/// Maximum relative difference of two slopes that rounding can cause.
 const ROUNDING: f64 = 1e-12;
 
 /// One number per object of a block.
@@ -101,7 +100,7 @@ pub(super) type Lanes = [f64; LANES];
 /// Class of one step for each object of a block.
 pub(super) type Classes = [u16; LANES];
 
-/// Levels among which a block's objects may choose.
+/// Levels that a block's objects may choose. An object's floor is the coarsest level with a sufficient score.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Choice {
     /// All levels.
@@ -114,28 +113,30 @@ pub(super) enum Choice {
 
 vectorized! {
     /// Writes the scores of all levels at some sizes. Level 0 scores 1.
-    pub(super) fn scores(ladder: &Ladder, sizes: &Lanes, to: &mut [Lanes]) = fused rate;
+    pub(super) fn scores(ladder: &Ladder, sizes: &Lanes, to: &mut [Lanes]) = fused scores_kernel;
     /// Writes the slope of each step: the score per triangle that the hull gains between levels n + 1 and n. Slopes
-    /// decrease towards finer levels. Steps on one edge of the hull are bit-equal. Slopes are 0 for steps to levels
-    /// that cannot be chosen, +∞ for steps that every choice includes.
-    pub(super) fn slopes(ladder: &Ladder, scores: &[Lanes], floors: &Lanes, choice: Choice, to: &mut [Lanes]) = slope;
+    /// decrease towards finer levels. Steps on one edge of the hull have the same bits. The slope is 0 for steps to
+    /// levels that cannot be chosen, and +∞ for steps that are always taken.
+    pub(super) fn slopes(ladder: &Ladder, scores: &[Lanes], floors: &Lanes, choice: Choice, to: &mut [Lanes])
+        = slopes_kernel;
     /// Writes the weighted score added by each step.
-    pub(super) fn gains(scores: &[Lanes], weights: &Lanes, to: &mut [Lanes]) = gain;
+    pub(super) fn gains(scores: &[Lanes], weights: &Lanes, to: &mut [Lanes]) = gains_kernel;
     /// Multiplies slopes by their factors, and writes their classes.
-    pub(super) fn weigh(slopes: &mut [Lanes], worth: &Worth, classes: &mut [Classes]) = weigh_all;
+    pub(super) fn weigh(slopes: &mut [Lanes], factors: &SlopeFactors, classes: &mut [Classes]) = weigh_kernel;
 }
 
-/// Factors of slopes: the objects' weights, and `hold` for steps from `held` on, which keep the previous frame's
-/// level. Steps from `first` on are always taken.
+/// Factors of slopes, for each object of a block.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Worth {
+pub(super) struct SlopeFactors {
     pub weights: Lanes,
-    pub held: Lanes,
+    /// Factor of the steps up to the previous frame's level, which are those from `held_from` on.
     pub hold: f64,
-    pub first: Lanes,
+    pub held_from: Lanes,
+    /// Steps from this one on are always taken.
+    pub always_from: Lanes,
 }
 
-/// Returns whether a level lies on the edge of the hull between two others, and not below it.
+/// Returns whether a level lies on the hull's edge between two others, rather than below it.
 pub(super) fn is_on_edge(ladder: &Ladder, scores: &[Lanes], lane: usize, edge: [usize; 2], position: usize) -> bool {
     let [coarse, fine] = edge;
     let gain = |position: usize| scores[position][lane] - scores[coarse][lane];
@@ -144,18 +145,18 @@ pub(super) fn is_on_edge(ladder: &Ladder, scores: &[Lanes], lane: usize, edge: [
 }
 
 #[inline(always)]
-fn weigh_all(slopes: &mut [Lanes], worth: &Worth, classes: &mut [Classes]) {
+fn weigh_kernel(slopes: &mut [Lanes], factors: &SlopeFactors, classes: &mut [Classes]) {
     for (step, (slopes, classes)) in slopes.iter_mut().zip(classes).enumerate() {
         for n in 0..LANES {
-            let hold = if step as f64 >= worth.held[n] { worth.hold } else { 1.0 };
-            slopes[n] *= worth.weights[n] * hold;
-            classes[n] = if step as f64 >= worth.first[n] { ALWAYS } else { class(slopes[n]) };
+            let hold = if step as f64 >= factors.held_from[n] { factors.hold } else { 1.0 };
+            slopes[n] *= factors.weights[n] * hold;
+            classes[n] = if step as f64 >= factors.always_from[n] { ALWAYS } else { class(slopes[n]) };
         }
     }
 }
 
 #[inline(always)]
-fn rate<const FUSED: bool>(ladder: &Ladder, sizes: &Lanes, to: &mut [Lanes]) {
+fn scores_kernel<const FUSED: bool>(ladder: &Ladder, sizes: &Lanes, to: &mut [Lanes]) {
     let [least, greatest] = ladder.range;
     let mut logarithms = [0.0; LANES];
     for n in 0..LANES {
@@ -186,7 +187,7 @@ fn add_curve<const FUSED: bool>(&[a, b, middle, d]: &[f64; 4], logarithms: &Lane
 }
 
 #[inline(always)]
-fn gain(scores: &[Lanes], weights: &Lanes, to: &mut [Lanes]) {
+fn gains_kernel(scores: &[Lanes], weights: &Lanes, to: &mut [Lanes]) {
     for ((finer, coarser), to) in scores.iter().zip(&scores[1..]).zip(to) {
         for n in 0..LANES {
             to[n] = weights[n] * (finer[n] - coarser[n]);
@@ -194,10 +195,10 @@ fn gain(scores: &[Lanes], weights: &Lanes, to: &mut [Lanes]) {
     }
 }
 
-/// Returns the slope of the smallest concave function above the levels, between levels i + 1 and i: max over j ≤ i of
-/// min over k > i of (M_j − M_k)/(T_j − T_k), with scores M and triangles T.
+/// Computes the slope of the smallest concave function above the levels. With scores M and triangles T, its slope
+/// between levels i + 1 and i is the maximum over j ≤ i of the minimum over k > i of (M_j − M_k)/(T_j − T_k).
 #[inline(always)]
-fn slope(ladder: &Ladder, scores: &[Lanes], floors: &Lanes, choice: Choice, to: &mut [Lanes]) {
+fn slopes_kernel(ladder: &Ladder, scores: &[Lanes], floors: &Lanes, choice: Choice, to: &mut [Lanes]) {
     let count = ladder.triangles.len();
     for to in &mut *to {
         *to = [f64::NEG_INFINITY; LANES];
@@ -209,7 +210,7 @@ fn slope(ladder: &Ladder, scores: &[Lanes], floors: &Lanes, choice: Choice, to: 
             let inverse = ladder.inverse(coarser, finer);
             for n in 0..LANES {
                 let gain = scores[finer][n] - scores[coarser][n];
-                // A step that costs nothing and gains nothing does not count.
+                // Ignores steps without triangles and without gain, whose slope would be 0/0.
                 let is_useless = (inverse == f64::INFINITY) & (gain <= 0.0);
                 let slope = if is_useless { f64::NEG_INFINITY } else { gain * inverse };
                 let slope = match choice {
@@ -222,7 +223,7 @@ fn slope(ladder: &Ladder, scores: &[Lanes], floors: &Lanes, choice: Choice, to: 
             }
         }
     }
-    // Rounding must not sort a finer step before a coarser one.
+    // Despite rounding, a finer step must not have a greater slope than a coarser one.
     let mut limit = [f64::INFINITY; LANES];
     for (step, to) in to.iter_mut().enumerate().rev() {
         for n in 0..LANES {

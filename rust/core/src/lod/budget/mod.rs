@@ -1,8 +1,8 @@
-//! Levels under a triangle budget: maximises Σ w·M(size) subject to Σ draws·triangles ≤ budget.
+//! Levels under a triangle budget: maximises Σ w·M(size), weights times scores, subject to Σ draws·triangles ≤ budget.
 //!
-//! For each object only the upper hull of its levels (triangles, w·M) counts. At a price λ it takes the finest level
-//! of the hull at which each drawn triangle adds at least λ. Stages, in order: sizes of objects in view, slopes of the
-//! hulls and their histogram, the price, levels.
+//! Each object uses only the levels on the upper hull of its points (triangles, w·M). At a price λ per triangle it
+//! takes the finest level of the hull for which each additional triangle adds at least λ. Stages, in order: sizes of
+//! the objects in view, slopes of the hulls and their histogram, the price, the levels.
 
 mod hull;
 mod plan;

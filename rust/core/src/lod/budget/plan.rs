@@ -1,4 +1,4 @@
-//! Search for the price per triangle at which a budget is spent, and the levels at that price.
+//! Finds the price per triangle at which a budget is spent, and the levels at this price.
 
 use std::cmp::Reverse;
 use std::collections::HashSet;
@@ -12,9 +12,9 @@ use super::ratings::Ratings;
 use crate::base::Result;
 use crate::base::memory::try_with_capacity;
 
-/// Number of steps sorted at a time, unless one class has more.
+/// Number of steps that are sorted at a time, unless one class has more.
 const STEPS_PER_BATCH: u32 = 1 << 14;
-/// A selection may end once at most 1/1000 of the budget remains, so that fewer steps have to be sorted.
+/// A selection ends when at most 1/1000 of the budget remains, so that fewer steps have to be sorted.
 const BUDGET_PER_REMAINDER: u64 = 1000;
 
 /// A step between two levels on an object's hull.
@@ -31,14 +31,14 @@ pub(super) struct Step {
     pub gain: f64,
 }
 
-/// Steps taken in order. A step that does not fit is skipped, and its object takes no later step.
+/// Steps taken in order until the budget is spent. If a step does not fit, its object takes neither it nor later steps.
 #[derive(Default)]
 pub(super) struct Filling {
     /// Number of remaining triangles.
     pub remaining: u64,
-    /// Number of remaining triangles at which the selection may end.
+    /// The selection ends when at most this number of triangles remains.
     sufficient: u64,
-    /// Slope of the first step that did not fit; 0 if all did.
+    /// Slope of the first step that does not fit; 0 if all fit.
     pub slope: f64,
     pub gain: f64,
     levels: Vec<(u32, u16)>,
@@ -69,7 +69,7 @@ impl Filling {
                 }
                 self.stopped.insert(step.object);
                 if self.remaining < least {
-                    // No other step of this batch fits. In later batches, objects with steps left here must take none.
+                    // No other step of this batch fits. Objects whose steps are skipped here take no later step.
                     if !self.is_done() {
                         self.stopped.extend(steps[n..].iter().map(|step| step.object));
                     }
@@ -85,15 +85,15 @@ impl Filling {
 
     /// Returns the objects that took steps, with the finest ladder position of each.
     pub fn levels(mut self) -> Vec<(u32, u16)> {
-        // The last step of an object leads to its finest position, which has the smallest number.
+        // An object's finest position has the smallest number.
         self.levels.sort_unstable();
         self.levels.dedup_by_key(|level| level.0);
         self.levels
     }
 }
 
-/// Appends the edges of an object's hull with classes in a range. Levels on an edge split it.
-fn edges(block: &RatedBlock<'_>, lane: usize, classes: RangeInclusive<u16>, to: &mut Vec<Step>) {
+/// Appends the steps along an object's hull whose classes are in a range. An edge is split at the levels on it.
+fn append_hull_steps(block: &RatedBlock<'_>, lane: usize, classes: RangeInclusive<u16>, to: &mut Vec<Step>) {
     let RatedBlock { ladder, draws, scores, slopes, .. } = block;
     let mut coarse = slopes.len();
     while coarse > 0 {
@@ -119,17 +119,17 @@ fn edges(block: &RatedBlock<'_>, lane: usize, classes: RangeInclusive<u16>, to: 
     }
 }
 
-/// Levels bought at a price: all steps of classes above `price_class`, and the listed levels.
-pub(super) struct Bought {
+/// Levels at a price: all steps of classes above `price_class`, and the listed levels.
+pub(super) struct Purchase {
     pub price: f64,
     pub price_class: u16,
     pub triangles: u64,
     pub score: f64,
-    /// Objects whose levels differ from those of the classes above, with ladder positions.
+    /// Objects that take further steps, with their ladder positions.
     pub levels: Vec<(u32, u16)>,
 }
 
-impl Bought {
+impl Purchase {
     fn new(price: f64, price_class: u16, budget: u64, score: f64, filling: Filling) -> Self {
         let (triangles, score) = (budget - filling.remaining, score + filling.gain);
         Self { price, price_class, triangles, score, levels: filling.levels() }
@@ -143,7 +143,7 @@ pub(super) struct Plan<'a> {
 }
 
 impl Plan<'_> {
-    /// Returns the triangles and the score of all steps of classes above the given one.
+    /// Returns the triangles and the score of all objects after all steps of classes above the given one.
     fn sums_above(&self, class: u16) -> (u64, f64) {
         let (mut triangles, mut score) = (self.ratings.ledger.first_triangles, self.ratings.ledger.first_score);
         for entry in self.ratings.ledger.classes[usize::from(class) + 1..].iter().rev() {
@@ -164,7 +164,7 @@ impl Plan<'_> {
         lowest
     }
 
-    /// Returns the wanted steps of some objects in some classes, in the order in which they are tried.
+    /// Returns steps of some objects in a range of classes, in the order in which they are tried.
     fn steps(
         &self,
         objects: Vec<u32>,
@@ -177,7 +177,7 @@ impl Plan<'_> {
         for (ladder, objects) in self.rater.blocks(&order) {
             let block = self.rater.rate(ladder, objects, &mut scratch);
             for lane in 0..objects.len() {
-                edges(&block, lane, classes.clone(), &mut steps);
+                append_hull_steps(&block, lane, classes.clone(), &mut steps);
             }
         }
         steps.retain(is_wanted);
@@ -186,51 +186,51 @@ impl Plan<'_> {
         Ok(steps)
     }
 
-    /// Returns all steps of some classes.
-    fn between(&self, lowest: u16, highest: u16) -> Result<Vec<Step>> {
-        self.steps(self.ratings.between(self.rater, lowest, highest)?, lowest..=highest, |_| true)
+    /// Returns all steps of a range of classes.
+    fn steps_between(&self, lowest: u16, highest: u16) -> Result<Vec<Step>> {
+        self.steps(self.ratings.objects_between(self.rater, lowest, highest)?, lowest..=highest, |_| true)
     }
 
-    /// Returns the steps of a class whose slope exceeds the given one, and lower steps that lead to levels no finer
-    /// than in the previous frame.
-    fn regained(&self, class: u16, slope: f64, before: &[i32]) -> Result<Vec<Step>> {
-        self.steps(self.ratings.coarser_than_before(self.rater, class, before)?, NEVER + 1..=class, |step| {
+    /// Returns the steps of a class whose slope exceeds the given one, and the steps with lower slopes that lead to
+    /// levels no finer than in the previous frame.
+    fn steps_to_previous_levels(&self, class: u16, slope: f64, previous: &[i32]) -> Result<Vec<Step>> {
+        self.steps(self.ratings.coarser_than_previous(self.rater, class, previous)?, NEVER + 1..=class, |step| {
             let level = self.rater.ladder(step.object).level[usize::from(step.to)];
-            step.slope > slope || (0..=level).contains(&before[step.object as usize])
+            step.slope > slope || (0..=level).contains(&previous[step.object as usize])
         })
     }
 
-    /// Tries steps from a class on, in growing batches, until few enough triangles remain.
-    fn go_on(&self, mut next: u16, filling: &mut Filling) -> Result<()> {
+    /// Tries steps from a class downwards, in growing batches, until few enough triangles remain.
+    fn fill_from(&self, mut next: u16, filling: &mut Filling) -> Result<()> {
         let mut count = STEPS_PER_BATCH;
         while next > NEVER && !filling.is_done() {
             count = count.saturating_mul(4);
             let lowest = self.lowest_class(next, count);
-            filling.take(&self.between(lowest, next)?);
+            filling.take(&self.steps_between(lowest, next)?);
             next = lowest - 1;
         }
         Ok(())
     }
 
-    /// Starts a selection of steps with the remaining triangles of a budget.
-    fn filling(&self, remaining: u64, budget: u64) -> Filling {
-        Filling::new(remaining, self.rater.fewest().saturating_sub(1).max(budget / BUDGET_PER_REMAINDER))
+    /// Creates an empty selection of steps for the remaining triangles of a budget.
+    fn new_filling(&self, remaining: u64, budget: u64) -> Filling {
+        Filling::new(remaining, self.rater.min_step_triangles().saturating_sub(1).max(budget / BUDGET_PER_REMAINDER))
     }
 
-    /// Buys the levels at the previous frame's price if that spends most of the budget and does not exceed it. What
-    /// remains of the budget keeps levels of the previous frame, or buys steps below the price if they are unknown.
-    pub fn keep(&self, price: f64, budget: u64, hysteresis: f64) -> Result<Option<Bought>> {
+    /// Buys the levels at the previous frame's price; `None` if they exceed the budget or leave too much of it. The
+    /// remaining budget is spent on levels of the previous frame, or on steps below the price if these are unknown.
+    pub fn buy_at_price(&self, price: f64, budget: u64, hysteresis: f64) -> Result<Option<Purchase>> {
         let scaled = price * self.rater.scale;
         let class_of_price = class(scaled).min(ALWAYS - 1);
         let (triangles, score) = self.sums_above(class_of_price);
         let Some(remaining) = budget.checked_sub(triangles) else { return Ok(None) };
-        let mut filling = self.filling(remaining, budget);
+        let mut filling = self.new_filling(remaining, budget);
         let (steps, next) = match self.rater.objects.previous {
             _ if class_of_price == NEVER => (Vec::new(), NEVER),
-            Some(before) => (self.regained(class_of_price, scaled, before)?, NEVER),
+            Some(previous) => (self.steps_to_previous_levels(class_of_price, scaled, previous)?, NEVER),
             None => {
                 let lowest = self.lowest_class(class_of_price, STEPS_PER_BATCH);
-                (self.between(lowest, class_of_price)?, lowest - 1)
+                (self.steps_between(lowest, class_of_price)?, lowest - 1)
             }
         };
         let (bought, cheaper) = steps.split_at(steps.partition_point(|step| step.slope > scaled));
@@ -241,12 +241,12 @@ impl Plan<'_> {
             return Ok(None);
         }
         filling.take(cheaper);
-        self.go_on(next, &mut filling)?;
-        Ok(Some(Bought::new(price, class_of_price, budget, score, filling)))
+        self.fill_from(next, &mut filling)?;
+        Ok(Some(Purchase::new(price, class_of_price, budget, score, filling)))
     }
 
-    /// Spends a budget that suffices for all objects at their coarsest levels.
-    pub fn buy(&self, budget: u64) -> Result<Bought> {
+    /// Finds the price for a budget that suffices for all objects at their coarsest levels.
+    pub fn buy(&self, budget: u64) -> Result<Purchase> {
         let (mut triangles, mut score) = (self.ratings.ledger.first_triangles, self.ratings.ledger.first_score);
         let mut highest = ALWAYS;
         let entry = |class: u16| &self.ratings.ledger.classes[usize::from(class)];
@@ -255,16 +255,16 @@ impl Plan<'_> {
             score += entry(highest).gain;
             highest -= 1;
         }
-        let mut filling = self.filling(budget - triangles, budget);
+        let mut filling = self.new_filling(budget - triangles, budget);
         if highest > NEVER {
             let lowest = self.lowest_class(highest, STEPS_PER_BATCH);
-            filling.take(&self.between(lowest, highest)?);
-            self.go_on(lowest - 1, &mut filling)?;
+            filling.take(&self.steps_between(lowest, highest)?);
+            self.fill_from(lowest - 1, &mut filling)?;
         }
-        Ok(Bought::new(filling.slope / self.rater.scale, highest, budget, score, filling))
+        Ok(Purchase::new(filling.slope / self.rater.scale, highest, budget, score, filling))
     }
 
-    /// Writes the levels, and counts the objects by what decided their level: culling, a single level, or the price.
+    /// Writes the levels. Counts the objects decided by culling, by a model with one level, and by the price.
     pub fn write(&self, price_class: u16, levels: &[(u32, u16)], to: &mut [i32]) -> SelectionCounts {
         let counts = self.ratings.write(self.rater, price_class, to);
         for &(object, position) in levels {

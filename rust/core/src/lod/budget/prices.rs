@@ -1,17 +1,18 @@
-//! Histogram of steps by slope, with the sums of each class.
+//! Histogram of steps by slope. A class is a range of slopes.
 
-/// Number of classes, geometrically spaced: the exponent and a few bits of the mantissa.
+/// Number of classes. A class is a slope's exponent and a few bits of its mantissa.
 pub(super) const CLASSES: usize = 1 << 12;
-/// Classes of steps that gain nothing, and of steps that are taken at any price.
+/// Class of steps that gain nothing.
 pub(super) const NEVER: u16 = 0;
+/// Class of steps that are taken at any price.
 pub(super) const ALWAYS: u16 = CLASSES as u16 - 1;
-/// Mantissa bits in a class: 2 % of a slope.
+/// Number of mantissa bits in a class, which is then about 2 % of its slope wide.
 const DIGITS: u32 = 5;
 const SHIFT: u32 = f64::MANTISSA_DIGITS - 1 - DIGITS;
-/// Start of the range with separate classes, up to 2¹²⁸ times this slope; slopes outside share the outermost classes.
+/// Lower end of the range with separate classes, up to 2¹²⁸ times this slope; the outermost classes have all others.
 const MIN: f64 = 1.0 / (1u128 << 112) as f64;
 
-/// Returns the class of a slope; it increases monotonically.
+/// Returns the class of a slope, which increases with the slope.
 #[inline(always)]
 pub(super) fn class(slope: f64) -> u16 {
     const FIRST: i64 = (MIN.to_bits() >> SHIFT) as i64;
@@ -23,7 +24,7 @@ pub(super) fn class(slope: f64) -> u16 {
     (if slope == f64::INFINITY { ALWAYS as i64 } else { number }) as u16
 }
 
-/// Sums over the steps of a class; aligned so that its address is a shift.
+/// Sums over the steps of a class. The alignment makes its address a shift of the index.
 #[derive(Clone, Copy, Default)]
 #[repr(align(32))]
 pub(super) struct Entry {
@@ -45,7 +46,7 @@ impl Entry {
 /// Sums over steps by class, and over objects at their coarsest level.
 pub(super) struct Ledger {
     pub classes: Box<[Entry; CLASSES]>,
-    /// Triangles, weighted score and weight of all objects before any step.
+    /// Triangles, weighted score and weight of all objects at their coarsest level.
     pub first_triangles: u64,
     pub first_score: f64,
     pub weight: f64,
@@ -58,7 +59,7 @@ impl Default for Ledger {
 }
 
 impl Ledger {
-    /// Adds another ledger; called in a fixed order, so that rounding does not depend on threads.
+    /// Adds another ledger. Callers add in a fixed order, so that rounding does not depend on threads.
     pub fn add(&mut self, other: &Ledger) {
         for (own, other) in self.classes.iter_mut().zip(other.classes.iter()) {
             own.triangles += other.triangles;

@@ -1,17 +1,17 @@
-//! Slopes of objects, in blocks of objects of one model.
+//! Scores and slopes of objects, computed in blocks of objects of one model.
 
 use super::super::select::Objects;
-use super::hull::{Choice, Classes, LANES, Ladder, Lanes, Worth, gains, is_on_edge, scores, slopes, weigh};
-use super::sizes::{Budget, SeenObjects, Weights};
+use super::hull::{Choice, Classes, LANES, Ladder, Lanes, SlopeFactors, gains, is_on_edge, scores, slopes, weigh};
+use super::sizes::{Budget, ObjectSizes, Weights};
 
-/// Maximum power of 2 by which weights are scaled; its inverse is a float, too.
+/// Maximum exponent of the power of 2 that scales weights; the power and its inverse are floats.
 const MAX_EXPONENT: f64 = 1000.0;
 
 /// Computes scores and slopes of objects in view.
 pub(super) struct Rater<'a> {
     pub ladders: &'a [Ladder],
     pub objects: &'a Objects<'a>,
-    pub seen: &'a SeenObjects,
+    pub sizes: &'a ObjectSizes,
     weights: Weights<'a>,
     draws: Option<&'a [u8]>,
     pub choice: Choice,
@@ -32,7 +32,7 @@ pub(super) struct RatedBlock<'a> {
     pub scores: &'a [Lanes],
     /// Weighted score added by each step.
     pub gains: &'a [Lanes],
-    /// Slopes of each step by the objects' weights per drawn triangle, scaled, and their classes.
+    /// Scaled weighted score per drawn triangle of each step, and its class.
     pub slopes: &'a [Lanes],
     pub classes: &'a [Classes],
 }
@@ -66,7 +66,7 @@ impl<'a> Rater<'a> {
     pub fn new(
         ladders: &'a [Ladder],
         objects: &'a Objects<'a>,
-        seen: &'a SeenObjects,
+        sizes: &'a ObjectSizes,
         weights: Weights<'a>,
         budget: &Budget<'a>,
         hysteresis: f64,
@@ -77,15 +77,15 @@ impl<'a> Rater<'a> {
         };
         let exponent = if max_weight > 0.0 { max_weight.log2().ceil().clamp(-MAX_EXPONENT, MAX_EXPONENT) } else { 0.0 };
         let (scale, draws, floor) = ((-exponent).exp2(), budget.draws, budget.floor);
-        Self { ladders, objects, seen, weights, draws, choice: Choice::All, scale, hysteresis, floor }
+        Self { ladders, objects, sizes, weights, draws, choice: Choice::All, scale, hysteresis, floor }
     }
 
     pub fn ladder(&self, object: u32) -> &'a Ladder {
         &self.ladders[self.objects.model[object as usize] as usize]
     }
 
-    /// Returns the minimum number of triangles that a step of any model adds, drawn once.
-    pub fn fewest(&self) -> u64 {
+    /// Returns the minimum number of triangles that a step of any model adds.
+    pub fn min_step_triangles(&self) -> u64 {
         self.ladders.iter().flat_map(|ladder| &ladder.added).copied().min().unwrap_or(0)
     }
 
@@ -94,9 +94,9 @@ impl<'a> Rater<'a> {
         self.ladders.iter().map(Ladder::steps).max().unwrap_or(0)
     }
 
-    /// Returns the objects in view, sorted by model.
+    /// Returns those of some objects that are in view, sorted by model.
     pub fn order(&self, objects: impl Iterator<Item = u32> + Clone) -> Order {
-        let visible = objects.filter(|&object| self.seen.read[object as usize] >= 0.0);
+        let visible = objects.filter(|&object| self.sizes.curve_size[object as usize] >= 0.0);
         let mut ends = vec![0; self.ladders.len() + 1];
         let model = |object: u32| self.objects.model[object as usize] as usize;
         visible.clone().for_each(|object| ends[model(object) + 1] += 1);
@@ -126,7 +126,7 @@ impl<'a> Rater<'a> {
     /// Computes scores and slopes of a block.
     pub fn rate<'r>(&self, ladder: &'r Ladder, block: &'r [u32], scratch: &'r mut Scratch) -> RatedBlock<'r> {
         let (mut sizes, mut weights, mut draws) = ([0.0; LANES], [0.0; LANES], [1; LANES]);
-        sizes.iter_mut().zip(block).for_each(|(to, &object)| *to = self.seen.read[object as usize]);
+        sizes.iter_mut().zip(block).for_each(|(to, &object)| *to = self.sizes.curve_size[object as usize]);
         weights.iter_mut().zip(block).for_each(|(to, &object)| *to = self.weight(object));
         if let Some(all) = self.draws {
             draws.iter_mut().zip(block).for_each(|(to, &object)| *to = u64::from(all[object as usize].max(1)));
@@ -136,18 +136,18 @@ impl<'a> Rater<'a> {
         let mut floors = [0.0; LANES];
         if let Some(floor) = self.floor {
             for (lane, (to, &object)) in floors.iter_mut().zip(block).enumerate() {
-                let least = self.seen.threshold[object as usize] - floor;
+                let least = self.sizes.threshold[object as usize] - floor;
                 *to = scratch.scores.iter().rposition(|scores| scores[lane] >= least).unwrap_or(0) as f64;
             }
         }
         slopes(ladder, &scratch.scores, &floors, self.choice, &mut scratch.slopes);
-        let worth = Worth {
+        let factors = SlopeFactors {
             weights: std::array::from_fn(|n| weights[n] * self.scale / draws[n] as f64),
-            held: self.held_steps(ladder, block, scratch),
             hold: 1.0 + self.hysteresis,
-            first: if self.choice == Choice::FromFloor { floors } else { [f64::INFINITY; LANES] },
+            held_from: self.held_steps(ladder, block, scratch),
+            always_from: if self.choice == Choice::FromFloor { floors } else { [f64::INFINITY; LANES] },
         };
-        weigh(&mut scratch.slopes, &worth, &mut scratch.classes);
+        weigh(&mut scratch.slopes, &factors, &mut scratch.classes);
         gains(&scratch.scores, &weights, &mut scratch.gains);
         let Scratch { scores, gains, slopes, classes } = scratch;
         RatedBlock { objects: block, ladder, weights, draws, scores, gains, slopes, classes }
@@ -157,14 +157,14 @@ impl<'a> Rater<'a> {
         if let Weights::Each(all) = self.weights { all[object as usize] } else { 1.0 }
     }
 
-    /// Returns the step from which the previous frame's level is held; +∞ for none.
+    /// Returns the number of the step that leads to the previous frame's level; +∞ if the level is not held.
     fn held_steps(&self, ladder: &Ladder, block: &[u32], scratch: &Scratch) -> Lanes {
         let mut held = [f64::INFINITY; LANES];
         let Some(previous) = self.objects.previous.filter(|_| self.hysteresis > 0.0) else { return held };
         for (lane, (to, &object)) in held.iter_mut().zip(block).enumerate() {
             let level = previous[object as usize];
             let position = ladder.level.iter().position(|&ladder_level| level >= 0 && ladder_level >= level);
-            // A level below the hull is not held: the edge above it would be split.
+            // A level below the hull is not held, because holding it would split the edge above it.
             let is_corner = |&position: &usize| {
                 let [coarse, fine] = edge_around(&scratch.slopes, lane, position);
                 position == coarse
@@ -177,7 +177,7 @@ impl<'a> Rater<'a> {
     }
 }
 
-/// Returns the ends of the hull's edge on or above a position: the range of steps with equal slope.
+/// Returns the ends of the hull's edge at or above a position: the range of steps with equal slope.
 fn edge_around(slopes: &[Lanes], lane: usize, position: usize) -> [usize; 2] {
     let (mut coarse, mut fine) = (position, position);
     if (1..slopes.len()).contains(&position) && slopes[position - 1][lane] == slopes[position][lane] {

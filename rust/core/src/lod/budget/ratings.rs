@@ -1,4 +1,4 @@
-//! Classes of all objects' steps, and their sums.
+//! Classes of the steps of all objects, and the sums of each class.
 
 use rayon::prelude::*;
 
@@ -9,7 +9,7 @@ use super::rater::{Order, RatedBlock, Rater, Scratch};
 use crate::base::memory::{room_for, room_for_values};
 use crate::base::{Progress, Result};
 
-/// Number of objects per task: fixed, so that sums are rounded the same for any number of threads.
+/// Number of objects per task: fixed, so that the rounding of sums does not depend on the number of threads.
 const TASK: usize = 1 << 14;
 
 /// Classes of all objects in view.
@@ -39,7 +39,7 @@ impl Ratings {
                 (Ledger::default(), Vec::with_capacity(steps), Scratch::default());
             for (ladder, objects) in rater.blocks(&order) {
                 let block = rater.rate(ladder, objects, &mut scratch);
-                enter(&block, &mut ledger);
+                add_block(&block, &mut ledger);
                 classes.extend_from_slice(block.classes);
             }
             Ok((ledger, Page { order, classes }))
@@ -53,40 +53,39 @@ impl Ratings {
         Ok(ratings)
     }
 
-    /// Returns the triangles of all objects at their coarsest selectable levels, to which steps of class `ALWAYS` lead.
-    pub fn least(&self) -> u64 {
+    /// Returns the triangles of all objects at their coarsest selectable levels, after the steps of class `ALWAYS`.
+    pub fn min_triangles(&self) -> u64 {
         self.ledger.first_triangles + self.ledger.classes[usize::from(ALWAYS)].triangles
     }
 
     /// Returns the objects with steps in a range of classes.
-    pub fn between(&self, rater: &Rater<'_>, lowest: u16, highest: u16) -> Result<Vec<u32>> {
-        self.pick(rater, lowest, highest, |_, _, is_between| is_between)
+    pub fn objects_between(&self, rater: &Rater<'_>, lowest: u16, highest: u16) -> Result<Vec<u32>> {
+        self.select(rater, lowest, highest, |_, _, has_steps| has_steps)
     }
 
-    /// Returns the objects with steps in a class, and those that even after all its steps are coarser than before.
-    pub fn coarser_than_before(&self, rater: &Rater<'_>, class: u16, before: &[i32]) -> Result<Vec<u32>> {
-        self.pick(rater, class, class, |object, level, is_between| {
-            is_between || (0..level).contains(&before[object as usize])
+    /// Returns the objects with steps in a class, or coarser than in the previous frame even after all these steps.
+    pub fn coarser_than_previous(&self, rater: &Rater<'_>, class: u16, previous: &[i32]) -> Result<Vec<u32>> {
+        self.select(rater, class, class, |object, level, has_steps| {
+            has_steps || (0..level).contains(&previous[object as usize])
         })
     }
 
-    /// Selects objects by their level after all steps of class `lowest` and above, and by whether they have steps in
-    /// the range.
-    fn pick(
+    /// Selects objects by their level after all steps of classes from `lowest` up, and by whether the range has steps.
+    fn select(
         &self,
         rater: &Rater<'_>,
         lowest: u16,
         highest: u16,
-        is_picked: impl Fn(u32, i32, bool) -> bool + Sync,
+        condition: impl Fn(u32, i32, bool) -> bool + Sync,
     ) -> Result<Vec<u32>> {
-        // Lists of the pages, which take up to twice their length, and all objects.
+        // Lists of the pages, with capacities of up to twice their lengths, and the list of all objects.
         room_for_values::<[u32; 3]>(self.pages.iter().map(|page| page.order.objects.len()).sum())?;
         let pages = self.pages.par_iter().map(|page| {
             let mut objects = Vec::new();
             for (ladder, block, classes) in page.blocks(rater) {
-                let (after, before) = (places(classes, lowest - 1), places(classes, highest));
+                let (after, before) = (ladder_positions(classes, lowest - 1), ladder_positions(classes, highest));
                 for (&object, (after, before)) in block.iter().zip(after.into_iter().zip(before)) {
-                    if is_picked(object, ladder.level[usize::from(after)], after != before) {
+                    if condition(object, ladder.level[usize::from(after)], after != before) {
                         objects.push(object);
                     }
                 }
@@ -96,17 +95,17 @@ impl Ratings {
         Ok(pages.collect::<Vec<_>>().concat())
     }
 
-    /// Writes the levels after all steps of higher classes; counts objects culled, with a single level, and priced.
+    /// Writes the levels after all steps of classes above `price_class`; counts objects as `Plan::write` does.
     pub fn write(&self, rater: &Rater<'_>, price_class: u16, to: &mut [i32]) -> SelectionCounts {
         let tasks = self.pages.par_iter().zip(to.par_chunks_mut(TASK)).enumerate().map(|(task, (page, to))| {
             let mut counts = SelectionCounts::default();
             to.fill(HIDDEN as i32);
             counts.culled = (to.len() - page.order.objects.len()) as u64;
             for (ladder, block, classes) in page.blocks(rater) {
-                let of_steps = if ladder.steps() == 0 { &mut counts.one_level } else { &mut counts.asked };
-                *of_steps += block.len() as u64;
-                for (&object, place) in block.iter().zip(places(classes, price_class)) {
-                    to[object as usize - task * TASK] = ladder.level[usize::from(place)];
+                let count = if ladder.steps() == 0 { &mut counts.one_level } else { &mut counts.asked };
+                *count += block.len() as u64;
+                for (&object, position) in block.iter().zip(ladder_positions(classes, price_class)) {
+                    to[object as usize - task * TASK] = ladder.level[usize::from(position)];
                 }
             }
             counts
@@ -127,19 +126,19 @@ impl Page {
     }
 }
 
-/// Returns the ladder positions after all steps of higher classes.
-fn places(classes: &[Classes], price_class: u16) -> Classes {
-    let mut places = [0; LANES];
+/// Returns the ladder positions after all steps of classes above `price_class`.
+fn ladder_positions(classes: &[Classes], price_class: u16) -> Classes {
+    let mut positions = [0; LANES];
     for classes in classes {
         for n in 0..LANES {
-            places[n] += u16::from(classes[n] <= price_class);
+            positions[n] += u16::from(classes[n] <= price_class);
         }
     }
-    places
+    positions
 }
 
-/// Adds a block to the ledger: its coarsest levels and its steps.
-fn enter(block: &RatedBlock<'_>, ledger: &mut Ledger) {
+/// Adds a block's coarsest levels and steps to the ledger.
+fn add_block(block: &RatedBlock<'_>, ledger: &mut Ledger) {
     let coarsest = block.ladder.steps();
     let draws = &block.draws[..block.objects.len()];
     ledger.first_triangles += block.ladder.triangles[coarsest] * draws.iter().sum::<u64>();

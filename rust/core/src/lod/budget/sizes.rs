@@ -1,4 +1,4 @@
-//! Sizes and weights of the objects in view; with several eyes, the one that sees an object largest counts.
+//! Sizes and weights of the objects in view. With several eyes, an object has the size of the eye that sees it largest.
 
 use std::ops::RangeInclusive;
 
@@ -22,12 +22,11 @@ pub struct Budget<'a> {
     pub weights: Weights<'a>,
     /// Objects score at least f(σ) − floor if the budget allows it.
     pub floor: Option<f64>,
-    /// Price of the previous frame. It is kept if it spends at least 1 − hysteresis of the budget and no more than
-    /// all.
+    /// Price of the previous frame. It is kept if it spends at most the budget, and at least 1 − hysteresis of it.
     pub price: Option<f64>,
 }
 
-/// Range of weights within which sums and slopes neither overflow nor vanish.
+/// Range of weights for which sums and slopes neither overflow nor vanish.
 const USUAL_WEIGHTS: RangeInclusive<f64> = 1e-150..=1e150;
 
 /// Weights of the objects.
@@ -35,14 +34,14 @@ const USUAL_WEIGHTS: RangeInclusive<f64> = 1e-150..=1e150;
 pub enum Weights<'a> {
     /// Equal weights.
     Object,
-    /// σ_eff / (tangent of a pixel)².
+    /// σ′ / (tangent of a pixel)².
     Pixels,
     /// One number per object.
     Each(&'a [f64]),
 }
 
 impl Weights<'_> {
-    /// Fails for numbers that would be lost in sums.
+    /// Fails for weights outside `USUAL_WEIGHTS`, except 0.
     pub fn check(&self) -> Result<()> {
         let Weights::Each(all) = self else { return Ok(()) };
         let is_refused = |weight: &f64| *weight != 0.0 && !USUAL_WEIGHTS.contains(weight);
@@ -52,8 +51,8 @@ impl Weights<'_> {
     }
 }
 
-/// Input of the size computation: objects and eyes.
-pub(super) struct SizesOf<'a> {
+/// Input of the computation of sizes.
+pub(super) struct SizeInput<'a> {
     pub models: &'a [Model<'a>],
     pub objects: &'a Objects<'a>,
     pub eyes: &'a EyeSizes<'a>,
@@ -62,49 +61,52 @@ pub(super) struct SizesOf<'a> {
     pub line: ThresholdLine,
 }
 
-/// Sizes of objects; `read` is below 0 for those outside the view.
-pub(super) struct SeenObjects {
-    /// Size at which curves are read.
-    pub read: Vec<f64>,
-    /// σ, σ_eff, σ_eff/pixel² and the maximum f(σ) over all eyes; empty if not requested.
+/// Sizes of objects. Columns that were not requested are empty.
+pub(super) struct ObjectSizes {
+    /// Size at which curves are evaluated; below 0 for objects outside the view.
+    pub curve_size: Vec<f64>,
+    /// σ
     pub sigma: Vec<f64>,
-    pub seen: Vec<f64>,
+    /// σ′, the displayed size.
+    pub displayed: Vec<f64>,
+    /// σ′/pixel²
     pub pixels: Vec<f64>,
+    /// Maximum f(σ) over all eyes.
     pub threshold: Vec<f64>,
 }
 
 /// Columns of a tile.
-struct SeenTile<'a> {
+struct SizeTile<'a> {
     first: usize,
-    read: &'a mut [f64],
-    /// σ, σ_eff, σ_eff/pixel² and f(σ).
+    curve_size: &'a mut [f64],
+    /// σ, σ′, σ′/pixel² and f(σ).
     optional: [&'a mut [f64]; 4],
 }
 
-impl SeenObjects {
-    /// `requested` tells which of σ, σ_eff, σ_eff/pixel² and f(σ) to compute.
-    pub fn new(of: &SizesOf<'_>, requested: [bool; 4], progress: &Progress) -> Result<Self> {
-        let count = of.objects.radii.len();
+impl ObjectSizes {
+    /// Computes the sizes; `requested` says which of σ, σ′, σ′/pixel² and f(σ) are stored.
+    pub fn new(input: &SizeInput<'_>, requested: [bool; 4], progress: &Progress) -> Result<Self> {
+        let count = input.objects.radii.len();
         let column = |is_requested: bool| try_vec(HIDDEN, if is_requested { count } else { 0 });
-        let mut read = column(true)?;
-        let [sigma, seen, pixels, threshold] = requested.map(column);
-        let mut optional = [sigma?, seen?, pixels?, threshold?];
+        let mut curve_size = column(true)?;
+        let [sigma, displayed, pixels, threshold] = requested.map(column);
+        let mut optional = [sigma?, displayed?, pixels?, threshold?];
         let mut chunks = optional.each_mut().map(|column| column.chunks_mut(TILE));
-        let tile = |(number, read)| {
+        let tile = |(number, curve_size)| {
             let optional = chunks.each_mut().map(|chunks| chunks.next().unwrap_or_default());
-            SeenTile { first: number * TILE, read, optional }
+            SizeTile { first: number * TILE, curve_size, optional }
         };
-        let tiles: Vec<_> = read.chunks_mut(TILE).enumerate().map(tile).collect();
+        let tiles: Vec<_> = curve_size.chunks_mut(TILE).enumerate().map(tile).collect();
         let scratch = || (Box::new(Sight::zeroed()), Box::new(OpenSizes::zeroed()));
-        let see = |(sight, open): &mut (Box<Sight>, Box<OpenSizes>), tile: SeenTile<'_>| {
-            progress.check().and_then(|()| of.see(sight, open, tile))
+        let see = |(sight, open): &mut (Box<Sight>, Box<OpenSizes>), tile: SizeTile<'_>| {
+            progress.check().and_then(|()| input.write_sizes(sight, open, tile))
         };
         tiles.into_par_iter().try_for_each_init(scratch, see)?;
-        let [sigma, seen, pixels, threshold] = optional;
-        Ok(Self { read, sigma, seen, pixels, threshold })
+        let [sigma, displayed, pixels, threshold] = optional;
+        Ok(Self { curve_size, sigma, displayed, pixels, threshold })
     }
 
-    /// Writes σ, σ_eff, f(σ), the score and the level of each object.
+    /// Writes σ, σ′, f(σ), the score and the level of each object.
     pub fn columns(
         &self,
         models: &[RatedModel<'_>],
@@ -112,48 +114,48 @@ impl SeenObjects {
         levels: &[i32],
         columns: [&mut [f64]; COLUMNS],
     ) {
-        let [sigma, seen, threshold, score, shown] = columns;
+        let [sigma, displayed, threshold, score, shown] = columns;
         for (n, &level) in levels.iter().enumerate() {
             let model = &models[objects.model[n] as usize];
-            let read = self.read[n].min(model.model.greatest());
-            (sigma[n], seen[n], threshold[n], score[n], shown[n]) = match usize::try_from(level) {
-                Ok(number) => (self.sigma[n], self.seen[n], self.threshold[n], model.score(number, read), level.into()),
-                Err(_) => (f64::NAN, f64::NAN, f64::NAN, f64::NAN, level.into()),
+            let size = self.curve_size[n].min(model.model.greatest());
+            shown[n] = level.into();
+            [sigma[n], displayed[n], threshold[n], score[n]] = match usize::try_from(level) {
+                Ok(level) => [self.sigma[n], self.displayed[n], self.threshold[n], model.score(level, size)],
+                Err(_) => [f64::NAN; 4],
             };
         }
     }
 }
 
-impl SizesOf<'_> {
-    fn see(&self, sight: &mut Sight, open: &mut OpenSizes, tile: SeenTile<'_>) -> Result<()> {
-        let SeenTile { first, read, optional: [sigma, seen, pixels, threshold] } = tile;
-        let objects = self.objects.part(first..first + read.len());
+impl SizeInput<'_> {
+    fn write_sizes(&self, sight: &mut Sight, open: &mut OpenSizes, tile: SizeTile<'_>) -> Result<()> {
+        let SizeTile { first, curve_size, optional: [sigma, displayed, pixels, threshold] } = tile;
+        let objects = self.objects.part(first..first + curve_size.len());
         objects.check(self.models, first)?;
         for (number, eye) in self.eyes.eyes.iter().enumerate() {
             eye.view.see(objects.centers, objects.radii, first, self.cull, sight)?;
             let mut count = 0;
-            for n in 0..read.len() {
+            for n in 0..curve_size.len() {
                 open.place[count % TILE] = n as u16;
                 count += usize::from(sight.sigma[n] != HIDDEN);
             }
-            self.eyes.see(number, &objects, sight, open, count, f64::INFINITY);
+            self.eyes.write_sizes(number, &objects, sight, open, count, f64::INFINITY);
             let per_pixel = 1.0 / (eye.pixel * eye.pixel);
             for k in 0..count {
                 let n = usize::from(open.place[k]);
                 if let Some(threshold) = threshold.get_mut(n) {
                     *threshold = threshold.max(self.line.value(open.sigma[k]));
                 }
-                if open.read[k] <= read[n] {
+                if open.curve_size[k] <= curve_size[n] {
                     continue;
                 }
-                read[n] = open.read[k];
-                if let (Some(sigma), Some(seen)) = (sigma.get_mut(n), seen.get_mut(n)) {
-                    (*sigma, *seen) = (open.sigma[k], open.seen[k]);
+                curve_size[n] = open.curve_size[k];
+                if let (Some(sigma), Some(displayed)) = (sigma.get_mut(n), displayed.get_mut(n)) {
+                    (*sigma, *displayed) = (open.sigma[k], open.displayed[k]);
                 }
                 if let Some(pixels) = pixels.get_mut(n) {
                     // Beyond the lens's fold the panel shows nothing.
-                    let shown = if open.seen[k] < f64::INFINITY { open.seen[k] } else { 0.0 };
-                    *pixels = shown * per_pixel;
+                    *pixels = if open.displayed[k] < f64::INFINITY { open.displayed[k] * per_pixel } else { 0.0 };
                 }
             }
         }

@@ -17,8 +17,7 @@ fn ladder(triangles: &[i64]) -> Ladder {
     Ladder::new(&RatedModel { model, rises: &[], triangles }, 0).unwrap()
 }
 
-/// Returns the slope of the smallest concave function above the points, just left of position `step`, by all pairs
-/// around it.
+/// Returns the slope of the smallest concave function above the points between levels `step` + 1 and `step`.
 fn slope(triangles: &[i64], scores: &[f64], step: usize) -> f64 {
     let height = |triangles: &[i64], at: f64| {
         let mut most = f64::NEG_INFINITY;
@@ -69,7 +68,7 @@ fn steps_of_an_edge_have_the_same_bits() {
 }
 
 #[test]
-fn floors_part_the_hull() {
+fn floors_divide_the_hull() {
     let (ladder, mut found) = (ladder(&[1000, 300, 10]), [[0.0; LANES]; 2]);
     let scores = [[1.0; LANES], [0.4; LANES], [0.3; LANES]];
     slopes(&ladder, &scores, &[1.0; LANES], Choice::FromFloor, &mut found);
@@ -101,7 +100,7 @@ fn classes_rise_with_slopes() {
 }
 
 #[test]
-fn after_a_step_that_does_not_fit_smaller_ones_follow() {
+fn smaller_steps_are_taken_after_a_step_that_does_not_fit() {
     let step = |object, to, triangles| Step { slope: 1.0 / f64::from(object + 1), object, to, triangles, gain: 1.0 };
     let steps = [step(0, 1, 50), step(1, 1, 60), step(1, 0, 1), step(2, 1, 40), step(3, 1, 30)];
     let mut filling = Filling::new(100, 0);

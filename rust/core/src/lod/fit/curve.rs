@@ -1,4 +1,4 @@
-//! Fit of one curve, or of many: scale the values, find start points, descend from the best ones, and classify the result.
+//! Fit of curves: scales the values, finds start points, descends from the best ones, and classifies the result.
 
 use rayon::prelude::*;
 
@@ -15,24 +15,23 @@ const STARTS: usize = 8;
 /// Upper bound of the angle, in radians, between any curve and the nearest curve of the grid. It limits how much a
 /// descent can improve on its start.
 const GRID_ANGLE: f64 = 0.5;
-/// Relative spread of the values, by the largest absolute value, below which they count as constant.
+/// Values count as constant if their half range is at most this fraction of their largest absolute value.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
-/// Threshold for flat curves. A curve with squared residuals S is flat if (S/S₀)^((N−2)/2) is at least this, with S₀
-/// the squared residuals about the mean and N the number of samples: the ratio of both likelihoods under normal noise,
-/// for N−2. With this value 95 % of the curves through pure noise are flat: 97 % for up to 20 samples, 95 % for 30 to
-/// 60, 92 % for 400.
+/// A curve is flat if (S/S₀)^((N−2)/2) is at least this. S and S₀ are the sums of squared residuals of the curve and of
+/// the mean, N is the number of samples; with N instead of N−2 it is the likelihood ratio for normal noise. Of curves
+/// through pure noise, 97 % are then flat for up to 20 samples, 95 % for 30 to 60, 92 % for 400.
 const FLAT_LIKELIHOOD: f64 = 0.01;
-/// Distance between the plateaus, in units of the values' range, above which a curve is open.
+/// A curve is open if the distance between its plateaus exceeds this multiple of the values' range.
 const OPEN_HEIGHT: f64 = 100.0;
-/// Samples at which the logistic function's slope, at most 1/4, is below this value lie on a plateau.
-const ON_A_PLATEAU: f64 = 1e-5;
+/// A sample lies on a plateau if the slope of the logistic function, at most 1/4, is below this value.
+const PLATEAU_SLOPE: f64 = 1e-5;
 
 /// Result of a fit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Status {
     /// A curve with both plateaus near the values.
     Fitted,
-    /// The curve rises or falls between two samples, or with one sample in between, so many b and c fit equally well.
+    /// At most one sample lies on the curve's slope, so many b and c fit equally well.
     Step,
     /// The samples end before a plateau is visible, so a, c or d is far away and arbitrary.
     Open,
@@ -62,8 +61,8 @@ pub struct LogisticCurve {
 }
 
 impl LogisticCurve {
-    fn unfit(why: Unfit) -> Self {
-        Self { a: f64::NAN, b: f64::NAN, c: f64::NAN, d: f64::NAN, rms: f64::NAN, status: Status::Unfit(why) }
+    fn unfit(reason: Unfit) -> Self {
+        Self { a: f64::NAN, b: f64::NAN, c: f64::NAN, d: f64::NAN, rms: f64::NAN, status: Status::Unfit(reason) }
     }
 }
 
@@ -78,8 +77,8 @@ struct FitScratch {
     starts: Vec<Start>,
 }
 
-/// Fits least-squares curves to rows of `count` samples. `x` is one row shared by all curves, or has as many numbers
-/// as `y`. Samples that are not finite are ignored.
+/// Fits a least-squares curve to each row of `count` samples. `x` is one row for all curves, or as long as `y`. Samples
+/// that are not finite are ignored.
 pub fn fit_4pl(x: &[f64], y: &[f64], count: usize, progress: &Progress) -> Result<Vec<LogisticCurve>> {
     let are_rows = count > 0 && y.len().is_multiple_of(count) && [count, y.len()].contains(&x.len());
     let got = format!("{} of x and {} of y for {count} each", x.len(), y.len());
@@ -116,7 +115,7 @@ fn fit(frame: &SampleFrame, y: &[f64], scratch: &mut FitScratch, progress: &Prog
     let (low, high) = values().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| (low.min(y), high.max(y)));
     let scale = 0.5 * high - 0.5 * low;
     let center = if low == high { low } else { 0.5 * low + 0.5 * high };
-    // The mean of differences keeps the digits of large values that are close together.
+    // The mean of differences is precise even if the values are large and close together.
     let shift = values().map(|y| (y - center) / count).sum::<f64>();
     let flat = |rms: f64, status: Status| {
         let mean = center + shift;
@@ -136,13 +135,13 @@ fn fit(frame: &SampleFrame, y: &[f64], scratch: &mut FitScratch, progress: &Prog
     let samples = Samples { v: &frame.v, weight: &frame.weight, y: &scratch.packed, count, progress };
     progress.check()?;
     let best = descend_all(frame, &samples, total, &scratch.starts, &mut scratch.evaluated);
-    // Sums are 0 after a cancellation.
+    // After a cancellation the sums are 0.
     progress.check()?;
     let rms = scale * (best.sums.residual / count).sqrt();
     if (best.sums.residual / total).powf(0.5 * (count - 2.0)) >= FLAT_LIKELIHOOD {
         return Ok(flat(scale * (total / count).sqrt(), Status::Flat));
     }
-    let curve = in_input_units(frame, &best, center + shift, scale);
+    let curve = to_input_units(frame, &best, center + shift, scale);
     let is_finite = [curve.a, curve.c, curve.d - curve.a].iter().all(|number| number.is_finite());
     Ok(if is_finite && curve.c > 0.0 {
         LogisticCurve { rms, status: classify(frame, &best), ..curve }
@@ -155,19 +154,19 @@ fn fit(frame: &SampleFrame, y: &[f64], scratch: &mut FitScratch, progress: &Prog
 fn find_starts(frame: &SampleFrame, total: f64, scratch: &mut FitScratch) {
     let root = total.sqrt();
     scratch.values.iter_mut().for_each(|y| *y /= root);
-    fill_unit(&frame.grid.picked, &scratch.values, &mut scratch.unit);
+    fill_unit(&frame.grid.samples, &scratch.values, &mut scratch.unit);
     frame.grid.explain(&scratch.unit, &mut scratch.explained);
     scratch.starts.clear();
     let starts = &mut scratch.starts;
     frame.grid.peaks(&scratch.explained, |share, line| starts.push(Start { explained: f64::from(share), line }));
     scratch.starts.extend(best_steps(frame, &scratch.values).into_iter().flatten());
-    scratch.starts.sort_unstable_by(|one, other| other.explained.total_cmp(&one.explained));
+    scratch.starts.sort_unstable_by(|a, b| b.explained.total_cmp(&a.explained));
 }
 
-/// Fills the values for the grid, with mean 0 and length 1; all 0 if they are equal.
-fn fill_unit(picked: &[usize], values: &[f64], unit: &mut Vec<f32>) {
-    let sampled = || picked.iter().map(|&n| values[n]);
-    let mean = sampled().sum::<f64>() / picked.len() as f64;
+/// Writes the values of the grid's samples, shifted to mean 0 and scaled to length 1; 0 if all are equal.
+fn fill_unit(samples: &[usize], values: &[f64], unit: &mut Vec<f32>) {
+    let sampled = || samples.iter().map(|&n| values[n]);
+    let mean = sampled().sum::<f64>() / samples.len() as f64;
     let length = sampled().map(|y| (y - mean).powi(2)).sum::<f64>().sqrt();
     let per_length = if length > 0.0 { 1.0 / length } else { 0.0 };
     unit.clear();
@@ -187,8 +186,7 @@ fn descend_all(
     };
     let mut best = descend_from(&starts[0], None, scratch);
     for start in &starts[1..starts.len().min(STARTS)] {
-        // Angle between y and its projection on the start's curve. No curve within GRID_ANGLE of the start is closer
-        // to y than the difference of both angles.
+        // Curves within GRID_ANGLE of the start are at least at this angle from y.
         let angle = (start.explained.clamp(0.0, 1.0).sqrt().acos() - GRID_ANGLE).max(0.0);
         if best.is_exact(samples) || angle.sin().powi(2) * total >= best.sums.residual {
             break;
@@ -201,8 +199,8 @@ fn descend_all(
     best
 }
 
-/// Returns the parameters in the caller's units.
-fn in_input_units(frame: &SampleFrame, best: &EvaluatedLine, mean: f64, scale: f64) -> LogisticCurve {
+/// Converts a line and its sums to the parameters of a curve in the caller's units.
+fn to_input_units(frame: &SampleFrame, best: &EvaluatedLine, mean: f64, scale: f64) -> LogisticCurve {
     let (line, sums) = (best.line, best.sums);
     let (low, high) = (mean - scale * (sums.q * sums.mean), mean + scale * (sums.q * (1.0 - sums.mean)));
     let (a, d) = if line.rise < 0.0 { (high, low) } else { (low, high) };
@@ -219,27 +217,27 @@ fn classify(frame: &SampleFrame, best: &EvaluatedLine) -> Status {
         let e = (-best.line.value(v).abs()).exp();
         e / (1.0 + e).powi(2)
     };
-    let between = frame.places.iter().map(slope).filter(|&slope| slope > ON_A_PLATEAU).count();
+    let between = frame.positions.iter().map(slope).filter(|&slope| slope > PLATEAU_SLOPE).count();
     if between <= 1 { Status::Step } else { Status::Fitted }
 }
 
-/// Product of rise and the narrower gap: the samples beside the step lie on the plateaus to 4 digits, and a descent
-/// still has a gradient.
-const STEEP: f64 = 8.0;
-/// Maximum gap, in v, that a step may span: x = 0 lies at v = −10³⁰.
-const FIRST_STEP: f64 = 2.0;
+/// Product of a step's rise and the width of its gap. The samples beside the step lie on the plateaus to 4 digits, but
+/// a descent still has a gradient.
+const STEEPNESS: f64 = 8.0;
+/// Maximum gap, in v, that a step spans, because x = 0 lies at v = −10³⁰.
+const MAX_GAP: f64 = 2.0;
 
-/// Start of a descent, and the fraction of y that is explained there or nearby.
+/// Start of a descent, and the fraction of y's variance that the curve there or nearby explains.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Start {
     pub(super) explained: f64,
     pub(super) line: Line,
 }
 
-/// Returns start points for curves so steep that they are steps: the best one between two samples, and the best one with
-/// a sample on its slope. `y`, by ascending x, has mean 0 and length 1.
+/// Returns starts for curves so steep that they are steps: the best step between two samples, and the best step with
+/// one sample on its slope. `y` is sorted by x and has mean 0 and length 1.
 pub(super) fn best_steps(frame: &SampleFrame, y: &[f64]) -> [Option<Start>; 2] {
-    let (ends, places) = (&frame.ends, &frame.places);
+    let (ends, positions) = (&frame.ends, &frame.positions);
     let count = y.len() as f64;
     let mut steps: [Option<Start>; 2] = [None; 2];
     let mut keep = |n: usize, explained: f64, line: &dyn Fn() -> Line| {
@@ -248,7 +246,7 @@ pub(super) fn best_steps(frame: &SampleFrame, y: &[f64]) -> [Option<Start>; 2] {
         }
     };
     let (mut sum_before, mut start) = (0.0, 0);
-    for k in 0..places.len() - 1 {
+    for k in 0..positions.len() - 1 {
         let inside: f64 = y[start..ends[k]].iter().sum();
         let (left, width, right) = (start as f64, (ends[k] - start) as f64, count - ends[k] as f64);
         let sum_after = -(sum_before + inside);
@@ -257,18 +255,18 @@ pub(super) fn best_steps(frame: &SampleFrame, y: &[f64]) -> [Option<Start>; 2] {
             let fraction = (middle - high) / (low - high);
             if fraction > 0.0 && fraction < 1.0 {
                 let explained = sum_before * low + inside * middle + sum_after * high;
-                let gap = (places[k] - places[k - 1]).min(places[k + 1] - places[k]);
+                let gap = (positions[k] - positions[k - 1]).min(positions[k + 1] - positions[k]);
                 keep(1, explained, &|| {
                     let level = (fraction / (1.0 - fraction)).ln();
-                    Line { level, rise: -2.0 * (STEEP + level.abs()) / gap, origin: places[k] }
+                    Line { level, rise: -2.0 * (STEEPNESS + level.abs()) / gap, origin: positions[k] }
                 });
             }
         }
         sum_before += inside;
         start = ends[k];
         let explained = sum_before * sum_before / start as f64 + sum_after * sum_after / right;
-        let gap = (places[k + 1] - places[k]).min(FIRST_STEP);
-        keep(0, explained, &|| Line { level: 0.0, rise: -STEEP / gap, origin: places[k + 1] - 0.5 * gap });
+        let gap = (positions[k + 1] - positions[k]).min(MAX_GAP);
+        keep(0, explained, &|| Line { level: 0.0, rise: -STEEPNESS / gap, origin: positions[k + 1] - 0.5 * gap });
     }
     steps
 }

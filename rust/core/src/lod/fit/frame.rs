@@ -1,4 +1,4 @@
-//! Samples of a curve in the kernels' own coordinate v: ln x, scaled to the range −1 to 1.
+//! Samples of a curve in the coordinate v: ln x, shifted and scaled to the range −1 to 1.
 
 use super::descend::Limits;
 use super::grid::CurveGrid;
@@ -7,17 +7,16 @@ use crate::base::memory::room_for_values;
 use crate::base::sort::{sort_by_key, total_order};
 use crate::base::{Progress, Result};
 
-/// v of x = 0: far enough for every allowed rise, and with a finite square.
+/// v of x = 0: far enough to lie on a plateau for every allowed rise, and with a finite square.
 const ZERO: f64 = -1e30;
-/// Minimum number of distinct x: the number of parameters.
+/// Minimum number of distinct x, the number of parameters.
 pub(super) const MIN_DISTINCT: usize = 4;
 /// Maximum distance of ln c from the middle of the samples, so that c is finite.
 const FARTHEST_LN: f64 = 600.0;
 /// Product of rise and gap at which the samples on both sides of a transition lie on the plateaus to 17 digits.
 const SATURATED: f64 = 80.0;
 
-/// Number of arrays of numbers per sample, while a frame is created and a curve is fitted; a vector that grows takes up
-/// to twice its length.
+/// Numbers per sample in all arrays of a frame and a fit; the capacity of a growing vector is up to twice its length.
 const ARRAYS: usize = 16;
 
 /// Reason why no curve can be fitted.
@@ -41,24 +40,24 @@ pub(super) struct SampleFrame {
     /// End in `order` of each run of equal x.
     pub(super) ends: Vec<usize>,
     /// v of each run.
-    pub(super) places: Vec<f64>,
+    pub(super) positions: Vec<f64>,
     pub(super) limits: Limits,
     pub(super) grid: CurveGrid,
-    /// x at ln x = 0 in the scale of `middle`.
+    /// v = (ln(x/unit) − middle) / half.
     unit: f64,
     middle: f64,
     half: f64,
 }
 
 impl SampleFrame {
-    /// Creates a frame of the samples for which `counts` is true; their x must be finite.
+    /// Creates a frame of the samples for which `is_included` is true; their x must be finite.
     pub(super) fn new(
         x: &[f64],
-        counts: impl Fn(usize) -> bool,
+        is_included: impl Fn(usize) -> bool,
         progress: &Progress,
     ) -> Result<std::result::Result<Self, Unfit>> {
         room_for_values::<[f64; ARRAYS]>(x.len())?;
-        let mut order: Vec<usize> = (0..x.len()).filter(|&n| counts(n)).collect();
+        let mut order: Vec<usize> = (0..x.len()).filter(|&n| is_included(n)).collect();
         sort_by_key(&mut order, |&n| total_order(x[n]), progress)?;
         if order.first().is_some_and(|&n| x[n] < 0.0) {
             return Ok(Err(Unfit::Negative));
@@ -77,21 +76,21 @@ impl SampleFrame {
         let sorted: Vec<f64> = order.iter().map(|&n| place(x[n])).collect();
         progress.check()?;
         let ends: Vec<usize> = (1..=sorted.len()).filter(|&n| n == sorted.len() || sorted[n] > sorted[n - 1]).collect();
-        let places: Vec<f64> = ends.iter().map(|&end| sorted[end - 1]).collect();
-        if places.len() < MIN_DISTINCT {
+        let positions: Vec<f64> = ends.iter().map(|&end| sorted[end - 1]).collect();
+        if positions.len() < MIN_DISTINCT {
             return Ok(Err(Unfit::TooFew));
         }
-        let narrowest = places.windows(2).map(|pair| pair[1] - pair[0]).fold(f64::INFINITY, f64::min);
+        let narrowest = positions.windows(2).map(|pair| pair[1] - pair[0]).fold(f64::INFINITY, f64::min);
         let limits = Limits { steepest: SATURATED / narrowest, farthest: FARTHEST_LN / half };
         let packed = |value: &dyn Fn(usize) -> f64| -> Vec<Pack> {
             (0..sorted.len().div_ceil(LANES)).map(|k| std::array::from_fn(|i| value(LANES * k + i))).collect()
         };
         progress.check()?;
-        // Padding lies at the v of x = 0, where p′ is 0, so only sums of p need weights.
+        // Padding is at the v of x = 0, where p′ is 0, so only sums of p need weights.
         let v = packed(&|n| sorted.get(n).copied().unwrap_or(ZERO));
         let weight = packed(&|n| if n < sorted.len() { 1.0 } else { 0.0 });
-        let grid = CurveGrid::new(&sorted, &ends, &places);
-        Ok(Ok(Self { order, v, weight, ends, places, limits, grid, unit, middle, half }))
+        let grid = CurveGrid::new(&sorted, &ends, &positions);
+        Ok(Ok(Self { order, v, weight, ends, positions, limits, grid, unit, middle, half }))
     }
 
     /// Returns x at a given v.
@@ -105,7 +104,7 @@ impl SampleFrame {
     }
 }
 
-/// Returns ln(x/unit), with full precision if both are close.
+/// Returns ln(x/unit), with full precision even if x is close to `unit`.
 fn ln_ratio(x: f64, unit: f64) -> f64 {
     if x > 0.5 * unit && x < 2.0 * unit { ((x - unit) / unit).ln_1p() } else { x.ln() - unit.ln() }
 }

@@ -1,6 +1,6 @@
-//! Fraction of y explained by each curve of a grid. Each column holds p of one curve, minus its mean and scaled to
-//! length 1, so its product with y gives the fraction. The grid depends only on the positions of the samples; curves
-//! with the same positions share it.
+//! Grid of curves, and the fraction of y's variance that each curve explains. A column has the values p of one curve at
+//! the samples, shifted to mean 0 and scaled to length 1; the square of its product with y is the explained fraction.
+//! The grid depends only on the positions of the samples, so fits with the same positions share it.
 
 use std::ops::Range;
 
@@ -9,16 +9,15 @@ use super::descend::{MAX_TAU, MIN_RISE};
 use super::logistic::{LANES, Line};
 use crate::base::simd::vectorized;
 
-/// Number of columns per step of the product.
+/// Number of columns that a kernel processes together.
 const BLOCK: usize = 64;
-/// Minimum rise; with smaller rises curves are nearly straight lines over ln x.
+/// Minimum rise. At smaller rises curves are nearly straight lines over ln x.
 const MIN_GRID_RISE: f64 = 0.25;
 /// Ratio of successive rises.
 const RISE_FACTOR: f64 = 1.7;
-/// Maximum ratio of a start's residual to its neighbours' at other rises; above 1 because rises are coarse.
+/// Maximum ratio of a start's residual to that of its neighbours at other rises; above 1, because the rises are coarse.
 const RIDGE_FACTOR: f32 = 1.1;
-/// Maximum rise divided by the number of gaps between positions. Steeper transitions lie between two samples;
-/// `best_steps` finds those.
+/// Maximum rise divided by the number of gaps between positions; `best_steps` finds steeper transitions.
 const SAMPLE_STEEPNESS: f64 = 3.0;
 /// Maximum rise, however many samples there are.
 const MAX_GRID_RISE: f64 = 150.0;
@@ -26,15 +25,14 @@ const MAX_GRID_RISE: f64 = 150.0;
 const WIDTH: usize = 16;
 /// Distance between middles of transitions, in units of 1/rise.
 const SPACING: f64 = 1.2;
-/// Maximum exponent, reached at x = 0: no shift makes it overflow, and p is 1.
+/// Maximum exponent, reached at x = 0, where p is 1. No shift makes it overflow.
 const LARGEST: f64 = 300.0;
-/// Maximum e^τ: p is 1 in float32, and float32 still represents the number.
+/// Maximum e^τ. It is finite in float32, and p is 1 there.
 const SATURATED: f64 = 1e30;
 /// Distance of the outermost middles from the samples, in units of 1/rise.
 const MARGIN: f64 = 4.0;
 
-/// Maximum number of samples, and of distinct positions, used in the search for starts: ten times the number of
-/// distinguishable columns.
+/// Maximum number of samples, and of positions, in the search for starts: ten times the distinguishable columns.
 const GRID_SAMPLES: usize = 2_048;
 
 /// Curves and their columns.
@@ -43,11 +41,11 @@ pub(super) struct CurveGrid {
     levels: Vec<Level>,
     /// Middles of the transitions, ascending within each level.
     middles: Vec<f64>,
-    /// Values by sample, then by column; rows are padded with 0 to whole blocks.
+    /// A row for each sample, with the values of all columns; rows are padded with 0 to whole blocks.
     basis: Vec<f32>,
     columns: usize,
-    /// Indices of the samples used for the search, by ascending v: those of the rows.
-    pub(super) picked: Vec<usize>,
+    /// Index of each row's sample, by ascending v.
+    pub(super) samples: Vec<usize>,
 }
 
 /// Curves with the same rise.
@@ -58,26 +56,25 @@ struct Level {
 }
 
 impl CurveGrid {
-    /// Creates the grid for samples at ascending `v`. `places` are the distinct values of v, and `ends` their ends in
-    /// `v`.
-    pub(super) fn new(v: &[f64], ends: &[usize], places: &[f64]) -> Self {
-        let (levels, middles) = levels(places);
+    /// Creates the grid for samples at ascending `v`, with distinct `positions` whose runs have these `ends`.
+    pub(super) fn new(v: &[f64], ends: &[usize], positions: &[f64]) -> Self {
+        let (levels, middles) = levels(positions);
         let columns = middles.len().div_ceil(BLOCK) * BLOCK;
-        let picked = picked(v.len(), ends);
-        let rows: Vec<f64> = picked.iter().map(|&n| v[n]).collect();
+        let samples = choose_samples(v.len(), ends);
+        let rows: Vec<f64> = samples.iter().map(|&n| v[n]).collect();
         let basis = basis(&rows, &levels, &middles, columns);
-        Self { levels, middles, basis, columns, picked }
+        Self { levels, middles, basis, columns, samples }
     }
 
-    /// Writes the fraction of the picked y that each column explains; `y` has length 1 and mean 0.
+    /// Writes the fraction of y that each column explains. `y` has a value for each row, mean 0 and length 1.
     pub(super) fn explain(&self, y: &[f32], explained: &mut Vec<f32>) {
         explained.clear();
         explained.resize(self.columns, 0.0);
         explain(&self.basis, y, explained);
     }
 
-    /// Calls `visit` with each curve that explains at least as much as its neighbours of the same rise and nearly as
-    /// much as those of adjacent rises, and with the explained fraction.
+    /// Calls `visit` with the explained fraction and the line of each peak: a curve that explains at least as much as
+    /// its neighbours of the same rise, and nearly as much as its neighbours of adjacent rises.
     pub(super) fn peaks(&self, explained: &[f32], mut visit: impl FnMut(f32, Line)) {
         for (k, level) in self.levels.iter().enumerate() {
             let Range { start, end } = level.columns;
@@ -87,20 +84,19 @@ impl CurveGrid {
                     continue;
                 }
                 let middle = self.middles[n];
-                let is_bettered =
+                let is_better =
                     |other: &Level| 1.0 - fraction > RIDGE_FACTOR * (1.0 - explained[self.nearest(other, middle)]);
-                // The straight line, level 0, is not compared as a neighbour: curves deviate from it in both
-                // directions.
-                let gentler = self.levels[1..].get(k.wrapping_sub(2)).is_some_and(is_bettered);
-                let steeper = k > 0 && self.levels.get(k + 1).is_some_and(is_bettered);
-                if gentler || steeper {
-                    continue;
+                // Level 0, the straight line, is no neighbour, because curves deviate from it in both directions.
+                let gentler = self.levels[1..].get(k.wrapping_sub(2)).is_some_and(is_better);
+                let steeper = k > 0 && self.levels.get(k + 1).is_some_and(is_better);
+                if !gentler && !steeper {
+                    visit(fraction, Line { level: 0.0, rise: -level.rise, origin: middle });
                 }
-                visit(fraction, Line { level: 0.0, rise: -level.rise, origin: middle });
             }
         }
     }
 
+    /// Returns the column of a level with the nearest middle.
     fn nearest(&self, level: &Level, middle: f64) -> usize {
         let Range { start, end } = level.columns;
         let upper = (start + self.middles[start..end].partition_point(|&m| m < middle)).min(end - 1);
@@ -109,24 +105,24 @@ impl CurveGrid {
     }
 }
 
-/// Returns all samples if there are few. Otherwise samples at even ranks, and one sample for each of evenly chosen
-/// positions, so that rare positions are included.
-fn picked(count: usize, ends: &[usize]) -> Vec<usize> {
+/// Returns the samples for the grid: all if there are few. Otherwise evenly spaced samples, and one sample for each of
+/// evenly spaced positions, so that rare positions are included.
+fn choose_samples(count: usize, ends: &[usize]) -> Vec<usize> {
     if count <= 2 * GRID_SAMPLES {
         return (0..count).collect();
     }
     let evenly =
         |last: usize| (0..GRID_SAMPLES).map(move |k| (k as u128 * last as u128 / (GRID_SAMPLES - 1) as u128) as usize);
-    let mut picked: Vec<usize> = evenly(count - 1).chain(evenly(ends.len() - 1).map(|k| ends[k] - 1)).collect();
-    picked.sort_unstable();
-    picked.dedup();
-    picked
+    let mut samples: Vec<usize> = evenly(count - 1).chain(evenly(ends.len() - 1).map(|k| ends[k] - 1)).collect();
+    samples.sort_unstable();
+    samples.dedup();
+    samples
 }
 
-/// Returns the rises, each with middles from tail to tail. The first level is a straight line.
-fn levels(places: &[f64]) -> (Vec<Level>, Vec<f64>) {
-    let first = places.partition_point(|&v| v < -1.0);
-    let finite = &places[first..];
+/// Returns the levels, and the middles of their curves, from tail to tail. Level 0 is a straight line.
+fn levels(positions: &[f64]) -> (Vec<Level>, Vec<f64>) {
+    let first = positions.partition_point(|&v| v < -1.0);
+    let finite = &positions[first..];
     let steepest = (SAMPLE_STEEPNESS * (finite.len() - 1) as f64).min(MAX_GRID_RISE);
     let mut levels = vec![Level { rise: MIN_RISE, columns: 0..1 }];
     let mut middles = vec![0.0];
@@ -152,11 +148,10 @@ fn levels(places: &[f64]) -> (Vec<Level>, Vec<f64>) {
 }
 
 fn basis(v: &[f64], levels: &[Level], middles: &[f64], columns: usize) -> Vec<f32> {
-    // e^(rise (v − middle)) is computed as a product, so each rise needs only as many exponentials as samples and
-    // columns.
+    // e^(rise (v − middle)) is a product of two exponentials, so a rise needs one exponential per sample and column.
     let (mut shifts, mut powers) = (Vec::with_capacity(columns), Vec::with_capacity(2 * levels.len() * v.len()));
     for Level { rise, columns: range } in levels {
-        // Uses σ or 1 − σ, whichever is small in the visible tail, which keeps its digits.
+        // Uses the one of σ and 1 − σ that is small at the samples if they lie in a tail, because it keeps its digits.
         shifts.extend(middles[range.clone()].iter().map(|middle| -rise * middle.abs()));
         powers.extend(v.iter().map(|v| (-rise * v).min(LARGEST)));
         powers.extend(v.iter().map(|v| rise * v));

@@ -1,4 +1,4 @@
-//! Logistic function at an array of samples, and the sums that a fit needs, eight samples at a time.
+//! Logistic function at the samples, and the sums that a fit needs, for eight samples at a time.
 
 use super::super::elementary::exp;
 use crate::base::Progress;
@@ -27,42 +27,43 @@ impl Line {
     }
 
     /// Returns the same line with another origin.
-    pub(super) fn seen_from(self, origin: f64) -> Self {
+    pub(super) fn with_origin(self, origin: f64) -> Self {
         Self { level: self.value(origin), origin, ..self }
     }
 }
 
-/// Sums for Newton's method, with p = σ(τ), g = p − mean(p), the best factor q, and r = y − q g. A prime is the
-/// derivative by τ, and u = v − origin.
+/// Sums for Newton's method, with p = σ(τ), g = p − mean(p), r = y − q g and u = v − origin. Primes (1 and 2 in names)
+/// are derivatives with respect to τ. Arrays have the moments: the sum, the sum times u, and the sum times u².
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct LogisticSums {
+    /// Mean of p.
     pub(super) mean: f64,
     /// Σ g².
-    pub(super) square: f64,
+    pub(super) gg: f64,
     /// Factor of g that minimises the residual.
     pub(super) q: f64,
     /// Σ r².
     pub(super) residual: f64,
     /// Σ p′, Σ p′u.
-    pub(super) plain: [f64; 2],
+    pub(super) p1: [f64; 2],
     /// Σ g p′, Σ g p′u.
-    pub(super) along: [f64; 2],
+    pub(super) g_p1: [f64; 2],
     /// Σ r p′, Σ r p′u.
-    pub(super) slope: [f64; 2],
+    pub(super) r_p1: [f64; 2],
     /// Σ p′², Σ p′²u, Σ p′²u².
-    pub(super) squared: [f64; 3],
+    pub(super) p1_p1: [f64; 3],
     /// Σ r p″, Σ r p″u, Σ r p″u².
-    pub(super) bend: [f64; 3],
+    pub(super) r_p2: [f64; 3],
 }
 
 impl LogisticSums {
-    /// Returns the distance from the origin to the point about which level and rise are nearly independent.
+    /// Returns u of the point for which, as the origin, level and rise are nearly independent.
     pub(super) fn center(&self) -> f64 {
-        if self.squared[0] > 0.0 { (self.squared[1] / self.squared[0]).clamp(-3.0, 3.0) } else { 0.0 }
+        if self.p1_p1[0] > 0.0 { (self.p1_p1[1] / self.p1_p1[0]).clamp(-3.0, 3.0) } else { 0.0 }
     }
 }
 
-/// Samples in the kernels' coordinate v, padded to whole packs with weight 0.
+/// Samples at coordinates v, padded to whole packs with weight 0.
 #[derive(Debug)]
 pub(super) struct Samples<'a> {
     pub(super) v: &'a [Pack],
@@ -102,7 +103,7 @@ vectorized! {
         = evaluate_kernel;
 }
 
-// Short loops with one result each: the compiler vectorises these but not one loop with all sums.
+// Short loops with one result each, because the compiler does not vectorise one loop with all sums.
 #[inline(always)]
 fn evaluate_kernel(samples: &Samples<'_>, line: &Line, scratch: &mut LogisticScratch) -> LogisticSums {
     let packs = samples.v.len();
@@ -128,8 +129,8 @@ fn evaluate_kernel(samples: &Samples<'_>, line: &Line, scratch: &mut LogisticScr
             r[k][i] = (p[k][i] - mean) * weight[k][i];
         }
     }
-    let square = product(r, r);
-    let q = if square > 0.0 { product(r, y) / square } else { 0.0 };
+    let gg = product(r, r);
+    let q = if gg > 0.0 { product(r, y) / gg } else { 0.0 };
     let (first, first_u) = (&mut scratch.first[..packs], &mut scratch.first_u[..packs]);
     for k in 0..packs {
         for i in 0..LANES {
@@ -140,7 +141,7 @@ fn evaluate_kernel(samples: &Samples<'_>, line: &Line, scratch: &mut LogisticScr
     if samples.progress.check().is_err() {
         return LogisticSums::default();
     }
-    let along = [product(r, first), product(r, first_u)];
+    let g_p1 = [product(r, first), product(r, first_u)];
     let (second, second_u) = (&mut scratch.second[..packs], &mut scratch.second_u[..packs]);
     for k in 0..packs {
         for i in 0..LANES {
@@ -151,25 +152,25 @@ fn evaluate_kernel(samples: &Samples<'_>, line: &Line, scratch: &mut LogisticScr
     }
     LogisticSums {
         mean,
-        square,
+        gg,
         q,
         residual: product(r, r),
-        plain: [product(first, weight), product(first_u, weight)],
-        along,
-        slope: [product(r, first), product(r, first_u)],
-        squared: [product(first, first), product(first, first_u), product(first_u, first_u)],
-        bend: [product(second, weight), product(second_u, weight), product(second_u, u)],
+        p1: [product(first, weight), product(first_u, weight)],
+        g_p1,
+        r_p1: [product(r, first), product(r, first_u)],
+        p1_p1: [product(first, first), product(first, first_u), product(first_u, first_u)],
+        r_p2: [product(second, weight), product(second_u, weight), product(second_u, u)],
     }
 }
 
-/// Returns a sum of products, in eight parallel sums.
+/// Returns the scalar product of two arrays, from eight parallel sums.
 #[inline(always)]
-fn product(one: &[Pack], other: &[Pack]) -> f64 {
-    let other = &other[..one.len()];
+fn product(a: &[Pack], b: &[Pack]) -> f64 {
+    let b = &b[..a.len()];
     let mut s = [0.0; LANES];
-    for k in 0..one.len() {
+    for k in 0..a.len() {
         for i in 0..LANES {
-            s[i] += one[k][i] * other[k][i];
+            s[i] += a[k][i] * b[k][i];
         }
     }
     ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7]))

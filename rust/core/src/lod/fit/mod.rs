@@ -1,5 +1,5 @@
-//! Least-squares curves with four parameters, y = d + (a−d)/(1+(x/c)^b): a grid gives start points, and descents from
-//! the best of them find the minimum.
+//! Least-squares curves with four parameters, y = d + (a−d)/(1+(x/c)^b). A grid of curves gives start points; descents
+//! from the best of them find the minimum.
 
 mod curve;
 mod descend;

@@ -5,8 +5,8 @@ use super::*;
 use crate::base::{Error, Progress};
 use proptest::prelude::*;
 
-/// Returns the residual of the best a and d for given b and c, by the textbook formula. If all samples lie near the
-/// left plateau it uses p − 1, because p itself would lose digits.
+/// Returns the squared residual of the best a and d for given b and c, by the textbook formula. If all samples lie near
+/// the left plateau, it uses p − 1, because p would lose digits.
 fn residual(x: &[f64], y: &[f64], b: f64, c: f64) -> f64 {
     let count = x.len() as f64;
     let u: Vec<f64> = x.iter().map(|x| (x / c).powf(b)).collect();
@@ -19,7 +19,7 @@ fn residual(x: &[f64], y: &[f64], b: f64, c: f64) -> f64 {
     p.iter().zip(y).map(|(p, y)| (y - mean_y - slope * (p - mean_p)).powi(2)).sum()
 }
 
-/// Runs a test with the samples of a frame, for values minus their mean.
+/// Runs a test with the samples of a frame; their values are shifted to mean 0.
 fn with_samples<R>(x: &[f64], y: &[f64], run: impl FnOnce(&SampleFrame, &Samples<'_>, &mut LogisticScratch) -> R) -> R {
     let frame = SampleFrame::new(x, |_| true, &Progress::new()).unwrap().unwrap();
     let mean = y.iter().sum::<f64>() / y.len() as f64;
@@ -34,7 +34,7 @@ fn with_samples<R>(x: &[f64], y: &[f64], run: impl FnOnce(&SampleFrame, &Samples
     run(&frame, &samples, &mut scratch)
 }
 
-fn places(count: usize) -> Vec<f64> {
+fn positions(count: usize) -> Vec<f64> {
     (0..count).map(|n| 1e-4 * (3e4f64).powf(n as f64 / (count - 1) as f64)).collect()
 }
 
@@ -44,7 +44,7 @@ proptest! {
         values in prop::collection::vec(-1.0..1.0f64, 9..40), level in -6.0..6.0f64, rise in 0.2..20.0f64,
         origin in -1.0..1.0f64, falls: bool,
     ) {
-        let x = places(values.len());
+        let x = positions(values.len());
         with_samples(&x, &values, |frame, samples, scratch| {
             let line = Line { level, rise: if falls { -rise } else { rise }, origin };
             let found = EvaluatedLine::evaluate(samples, &frame.limits, line, scratch);
@@ -57,8 +57,7 @@ proptest! {
                 let line = Line { level: at.level + level, rise: at.rise * stretch.exp(), origin: at.origin };
                 0.5 * logistic::evaluate(samples, &line, scratch).residual
             };
-            // Central differences: the error is h² times the third and fourth derivatives, plus 2⁻⁵³/h or 2⁻⁵³/h² from
-            // rounding.
+            // Central differences have an error of h² times higher derivatives, plus 2⁻⁵³/h or 2⁻⁵³/h² from rounding.
             let h = 1e-4;
             let close = |found: f64, expected: f64, scale: f64| {
                 prop_assert!((found - expected).abs() < 1e-5 * scale, "{} {}", found, expected);
@@ -78,7 +77,7 @@ proptest! {
 
     #[test]
     fn no_line_of_a_fine_grid_is_better(noise in prop::collection::vec(-0.4..0.4f64, 8..25), share in 0.2..0.8f64) {
-        let x = places(noise.len());
+        let x = positions(noise.len());
         let after = |n: usize| if n as f64 > share * noise.len() as f64 { 1.0 } else { 0.0 };
         let values: Vec<f64> = noise.iter().enumerate().map(|(n, noise)| noise + after(n)).collect();
         let curve = fit_4pl(&x, &values, x.len(), &Progress::new()).unwrap()[0];
@@ -96,8 +95,8 @@ proptest! {
 }
 
 #[test]
-fn steps_have_their_stated_residual() {
-    let x = places(12);
+fn steps_explain_the_stated_fraction() {
+    let x = positions(12);
     let y = [0.9, 1.0, 1.1, 1.0, 0.3, -0.9, -1.0, -1.1, -1.0, -1.0, -1.0, -1.0];
     with_samples(&x, &y, |frame, samples, scratch| {
         let total: f64 = samples.y.as_flattened().iter().map(|y| y * y).sum();
@@ -113,7 +112,7 @@ fn steps_have_their_stated_residual() {
 
 #[test]
 fn cancelled_fits_stop_and_wrong_lengths_are_refused() {
-    let (x, y) = (places(20), vec![0.5; 2000]);
+    let (x, y) = (positions(20), vec![0.5; 2000]);
     let progress = Progress::new();
     progress.cancel();
     assert_eq!(fit_4pl(&x, &y, 20, &progress), Err(Error::Cancelled));

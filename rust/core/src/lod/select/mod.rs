@@ -1,6 +1,7 @@
 //! Selection of the coarsest sufficient level (Liebisch 2021, Sec. 4.3–4.5), for many objects and few eyes.
 //!
-//! Stages, in order: visibility, sizes, the lens for the objects still open, a table of levels, curves.
+//! Stages, in order: visibility, sizes, the lens, a table of levels, curves. Each stage processes only objects that are
+//! still open: no earlier stage has decided their level.
 
 mod curves;
 mod objects;

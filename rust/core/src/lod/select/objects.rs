@@ -5,7 +5,7 @@ use std::ops::Range;
 use super::curves::Model;
 use crate::base::{Error, Result, ensure};
 
-/// Number of objects in one task; their data stays in a fast cache.
+/// Number of objects in one task; their data fits into a fast cache.
 pub(crate) const TILE: usize = 1 << 9;
 
 /// Arrays of objects, with one entry per object.
@@ -52,7 +52,7 @@ impl<'a> Objects<'a> {
     }
 }
 
-/// Number of columns beside the level: σ, the displayed size σ′, f, the score, and the fractional level.
+/// Number of results beside the level: σ, the displayed size σ′, f, the score, and the fractional level.
 pub const COLUMNS: usize = 5;
 
 /// Number of objects by the stage that decided their level, summed over all eyes.
@@ -64,15 +64,15 @@ pub struct SelectionCounts {
     pub one_level: u64,
     /// Already at level 0 because of another eye.
     pub settled: u64,
-    /// Larger than the maximum size at which curves are used.
+    /// Larger than the size above which the level is 0.
     pub large: u64,
-    /// Looked up in curves or tables.
+    /// Decided by a table or by curves.
     pub asked: u64,
-    /// Sizes computed through the lens, among `asked`.
+    /// Sized through the lens, part of `asked`.
     pub lens: u64,
-    /// Levels from a table, among `asked`.
+    /// Decided by a table, part of `asked`.
     pub table: u64,
-    /// Levels from curves, among `asked`.
+    /// Decided by curves, part of `asked`.
     pub formula: u64,
 }
 

@@ -1,4 +1,4 @@
-//! Rules for the selection of levels, and the influence of lenses and eyes.
+//! Rules for the selection of levels, and effects of lenses and eyes on sizes.
 
 use glam::DVec3;
 
@@ -13,7 +13,7 @@ pub struct ThresholdLine {
     pub rise: f64,
 }
 
-/// Size that must not exceed the reference for a level other than 0.
+/// Size that is compared with `Rules::reference`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SizeLimit {
     /// Undistorted size σ.
@@ -29,13 +29,13 @@ pub struct Rules {
     pub line: ThresholdLine,
     /// Solid angle in steradians above which level 0 is used.
     pub reference: f64,
-    /// Size that the reference limits.
+    /// Size that is compared with the reference.
     pub limit: SizeLimit,
     /// Whether objects outside the view get no level.
     pub cull: bool,
-    /// Score above the threshold that a coarser level needs to replace a finer one.
+    /// Margin by which a coarser level's score must exceed the threshold to replace a finer level.
     pub hysteresis: f64,
-    /// Fraction of the distance between levels over which they are blended; 0 disables blending.
+    /// Fraction of the interval between two levels' scores over which they are blended; 0 disables blending.
     pub fade: f64,
 }
 
@@ -50,30 +50,29 @@ pub struct EyeLens<'a> {
     pub exact: bool,
 }
 
-/// Relation between σ and the displayed size.
+/// Rule for the displayed size σ′.
 #[derive(Clone, Copy, Debug)]
 pub enum Apparent<'a> {
-    /// σ itself.
+    /// σ
     Own,
-    /// Through a lens along one axis, as published: σ (α⁺ − α⁻)/2μ (Liebisch 2021, Eq. 4.10–4.12).
+    /// σ (α⁺ − α⁻)/2μ, which applies the lens along one axis, as published (Liebisch 2021, Eq. 4.10–4.12).
     Axis(EyeLens<'a>),
-    /// Through a lens along both axes: the above times sin α′/sin α of the centre.
+    /// The size of `Axis` times sin α′/sin α of the centre, which applies the lens along both axes.
     Area(EyeLens<'a>),
-    /// Pixels of the panel, behind a lens if there is one: σ·D(α) of the centre.
+    /// σ·D(α) of the centre, proportional to pixels of the panel, behind a lens if there is one.
     Panel(Option<EyeLens<'a>>),
 }
 
-/// Acuity of an eye: the smallest visible angle at eccentricity e, both in degrees, is slope · e + limit (Guenter et
-/// al. 2012, Eq. 1).
+/// Acuity: the smallest visible angle at eccentricity e is slope · e + limit, in degrees (Guenter et al. 2012, Eq. 1).
 #[derive(Clone, Copy, Debug)]
 pub struct Acuity {
     /// Unit viewing direction in the world.
     pub gaze: DVec3,
-    /// Increase of the smallest visible angle per degree of eccentricity, degrees.
+    /// Increase of the smallest visible angle, in degrees, per degree of eccentricity.
     pub slope: f64,
     /// Smallest visible angle at the gaze, degrees.
     pub limit: f64,
-    /// Angle of a pixel in degrees, at least `limit`: the display shows nothing finer.
+    /// Smallest angle that the display shows: that of a pixel in degrees, at least `limit`.
     pub best: f64,
 }
 

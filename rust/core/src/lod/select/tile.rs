@@ -1,4 +1,4 @@
-//! Selection of levels tile by tile, eye by eye: each stage passes on only the objects that it could not decide.
+//! Selection of levels, tile by tile and eye by eye. Each stage passes on the objects that it cannot decide.
 
 use bytemuck::Zeroable;
 use rayon::prelude::*;
@@ -11,14 +11,14 @@ use super::table::{OBJECTS_PER_TABLE, Tables, UNSURE};
 use super::view::{Eye, HIDDEN, Sight};
 use crate::base::{Progress, Result};
 
-/// Level of an object that no eye has seen yet.
-const UNSEEN: i32 = -1;
+/// Level of an object that is in no eye's view so far.
+const NO_LEVEL: i32 = -1;
 /// Columns of an object outside the view.
 const HIDDEN_COLUMNS: [f64; COLUMNS] = [f64::NAN, f64::NAN, f64::NAN, f64::NAN, -1.0];
 /// Columns of an object with level 0 whose sizes are not computed.
 const LEVEL_0_COLUMNS: [f64; COLUMNS] = [f64::NAN, f64::NAN, f64::NAN, 1.0, 0.0];
 
-/// Objects and their results.
+/// Objects of a tile, and their results.
 struct ObjectTile<'a> {
     /// Index of the first object.
     first: usize,
@@ -30,11 +30,11 @@ struct ObjectTile<'a> {
 /// Settings and tables that all tiles share.
 struct Selection<'a> {
     models: &'a [Model<'a>],
-    /// Size above which each model has level 0, steradians.
+    /// Size σ above which each model has level 0, steradians.
     limits: Vec<f64>,
     /// `None` if there are too few objects for tables.
     tables: Option<Tables>,
-    sight: EyeSizes<'a>,
+    eye_sizes: EyeSizes<'a>,
     rules: Rules,
 }
 
@@ -45,26 +45,28 @@ struct TileScratch {
     open: OpenObjects,
 }
 
-/// Classes of objects for an eye, in the order in which they are counted.
+/// Classes of objects, for one eye.
 const CULLED: u8 = 0;
 const SETTLED: u8 = 1;
 const ONE_LEVEL: u8 = 2;
 const LARGE: u8 = 3;
 const OPEN: u8 = 4;
 
-/// Data of a tile's objects, and packed data of the objects whose level is still open.
+/// Data of a tile's objects, and of its open objects in consecutive entries.
 #[derive(Zeroable)]
 struct OpenObjects {
-    /// Per object: the size above which it has level 0, and its class.
+    /// For each object: σ above which it has level 0.
     limit: [f64; TILE],
+    /// For each object: its class.
     class: [u8; TILE],
-    /// Per open object: its index in the tile, its sizes, and the level from the table.
+    /// For each open object: its index in the tile and its sizes.
     sizes: OpenSizes,
+    /// For each open object: the level from the table.
     table_levels: [u8; TILE],
 }
 
-/// Writes the level of each object: the finest level that any eye needs, −1 for none. If requested it also writes the
-/// numbers of COLUMNS. Without `eyes` all levels are 0.
+/// Writes the level of each object, the finest level that any eye needs, −1 outside all views; and the numbers of
+/// COLUMNS if requested. Without `eyes` all levels are 0.
 #[expect(clippy::too_many_arguments, reason = "what a selection weighs, and where it goes")]
 pub fn select(
     models: &[Model<'_>],
@@ -79,9 +81,9 @@ pub fn select(
     models.iter().enumerate().try_for_each(|(number, model)| model.check(number))?;
     let limits = models.iter().map(|model| model.limit(rules)).collect();
     let are_many = models.len() * OBJECTS_PER_TABLE <= to.len() && !eyes.is_empty();
-    let sight = EyeSizes::new(models, eyes, apparent);
+    let eye_sizes = EyeSizes::new(models, eyes, apparent);
     let tables = if are_many { Tables::new(models, rules) } else { None };
-    let selection = Selection { models, limits, tables, sight, rules: *rules };
+    let selection = Selection { models, limits, tables, eye_sizes, rules: *rules };
     let mut columns = columns.map(|columns| columns.map(|column| column.chunks_mut(TILE)));
     let tiles = to.chunks_mut(TILE).enumerate().map(|(number, level)| {
         let first = number * TILE;
@@ -102,19 +104,19 @@ impl Selection<'_> {
         tile.objects.check(self.models, tile.first)?;
         self.limit(&tile.objects, open);
         let mut counts = SelectionCounts::default();
-        tile.level.fill(if self.sight.eyes.is_empty() { 0 } else { UNSEEN });
+        tile.level.fill(if self.eye_sizes.eyes.is_empty() { 0 } else { NO_LEVEL });
         if let Some(columns) = &mut tile.columns {
-            let values = if self.sight.eyes.is_empty() { LEVEL_0_COLUMNS } else { HIDDEN_COLUMNS };
+            let values = if self.eye_sizes.eyes.is_empty() { LEVEL_0_COLUMNS } else { HIDDEN_COLUMNS };
             columns.iter_mut().zip(values).for_each(|(column, value)| column.fill(value));
         }
         let limit = if self.rules.limit == SizeLimit::Seen { self.rules.reference } else { f64::INFINITY };
-        for (number, eye) in self.sight.eyes.iter().enumerate() {
+        for (number, eye) in self.eye_sizes.eyes.iter().enumerate() {
             let Objects { centers, radii, .. } = tile.objects;
             eye.view.see(centers, radii, tile.first, self.rules.cull, sight)?;
-            let asked = sort(sight, &mut tile, open, &mut counts);
-            self.sight.see(number, &tile.objects, sight, &mut open.sizes, asked, limit);
-            counts.lens += if self.sight.is_bent() { asked as u64 } else { 0 };
-            self.levels(open, asked, &mut tile, &mut counts);
+            let open_count = classify(sight, &mut tile, open, &mut counts);
+            self.eye_sizes.write_sizes(number, &tile.objects, sight, &mut open.sizes, open_count, limit);
+            counts.lens += if self.eye_sizes.changes_sizes() { open_count as u64 } else { 0 };
+            self.levels(open, open_count, &mut tile, &mut counts);
         }
         Ok(counts)
     }
@@ -127,43 +129,44 @@ impl Selection<'_> {
         }
     }
 
-    fn levels(&self, open: &mut OpenObjects, asked: usize, tile: &mut ObjectTile<'_>, counts: &mut SelectionCounts) {
+    fn levels(&self, open: &mut OpenObjects, count: usize, tile: &mut ObjectTile<'_>, counts: &mut SelectionCounts) {
         let Some(tables) = &self.tables else {
-            counts.formula += asked as u64;
-            for k in 0..asked {
-                self.ask(open, k, None, tile);
+            counts.formula += count as u64;
+            for k in 0..count {
+                self.use_curves(open, k, None, tile);
             }
             return;
         };
         let OpenObjects { sizes, table_levels, .. } = open;
-        tables.look_up(tile.objects.model, &sizes.place[..asked], &sizes.sigma, &sizes.read, table_levels);
+        tables.look_up(tile.objects.model, &sizes.place[..count], &sizes.sigma, &sizes.curve_size, table_levels);
         let previous = tile.objects.previous.filter(|_| self.rules.hysteresis > 0.0);
-        for k in 0..asked {
+        for k in 0..count {
             let n = usize::from(open.sizes.place[k]);
             let table_level = open.table_levels[k];
-            // Hysteresis applies only to levels coarser than the previous one.
+            // Hysteresis affects only levels coarser than the previous one.
             let is_held =
-                previous.is_some_and(|previous| previous[n] != UNSEEN && i32::from(table_level) > previous[n]);
+                previous.is_some_and(|previous| previous[n] != NO_LEVEL && i32::from(table_level) > previous[n]);
             let is_sure = table_level < UNSURE && !is_held;
             counts.formula += u64::from(!is_sure);
             counts.table += u64::from(is_sure);
             if !is_sure || tile.columns.is_some() {
-                self.ask(open, k, Some((table_level, is_sure)), tile);
+                self.use_curves(open, k, Some((table_level, is_sure)), tile);
                 continue;
             }
             let (best, level) = (&mut tile.level[n], i32::from(table_level));
-            *best = if (*best == UNSEEN) | (level < *best) { level } else { *best };
+            *best = if (*best == NO_LEVEL) | (level < *best) { level } else { *best };
         }
     }
 
-    /// Finds one object's level by curves, or only its columns if the table gave a certain level.
+    /// Finds an object's level by curves, unless the table gave a sure level, and writes its columns.
     #[inline(never)]
-    fn ask(&self, open: &OpenObjects, k: usize, table_level: Option<(u8, bool)>, tile: &mut ObjectTile<'_>) {
+    fn use_curves(&self, open: &OpenObjects, k: usize, table_level: Option<(u8, bool)>, tile: &mut ObjectTile<'_>) {
         let rules = &self.rules;
         let n = usize::from(open.sizes.place[k]);
         let model = &self.models[tile.objects.model[n] as usize];
-        let (sigma, seen) = (open.sizes.sigma[k], open.sizes.seen[k]);
-        let query = SizeQuery { sigma, seen, read: open.sizes.read[k], threshold: rules.line.value(sigma) };
+        let OpenSizes { sigma, displayed, curve_size, .. } = &open.sizes;
+        let (sigma, displayed, curve_size) = (sigma[k], displayed[k], curve_size[k]);
+        let query = SizeQuery { sigma, displayed, curve_size, threshold: rules.line.value(sigma) };
         let previous = tile.objects.previous.and_then(|previous| usize::try_from(previous[n]).ok());
         let level = match (table_level, previous.filter(|_| rules.hysteresis > 0.0)) {
             (Some((table_level, true)), _) => usize::from(table_level),
@@ -172,12 +175,12 @@ impl Selection<'_> {
             (None, None) => model.coarsest(model.curves.len(), &query),
         };
         let best = &mut tile.level[n];
-        let is_finer = *best == UNSEEN || (level as i32) < *best;
+        let is_finer = *best == NO_LEVEL || (level as i32) < *best;
         if let Some(columns) = &mut tile.columns {
             let fading = model.fading_level(level, &query, rules);
-            columns[4][n] = if *best == UNSEEN { fading } else { columns[4][n].min(fading) };
+            columns[4][n] = if *best == NO_LEVEL { fading } else { columns[4][n].min(fading) };
             if is_finer {
-                let values = [sigma, seen, query.threshold, model.score(level, query.read)];
+                let values = [sigma, displayed, query.threshold, model.score(level, curve_size)];
                 columns.iter_mut().zip(values).for_each(|(column, value)| column[n] = value);
             }
         }
@@ -187,9 +190,9 @@ impl Selection<'_> {
     }
 }
 
-/// Decides objects that need no curve. Returns the number of open objects.
+/// Classifies the objects and decides those that need no curve. Returns the number of open objects.
 #[inline(never)]
-fn sort(sight: &Sight, tile: &mut ObjectTile<'_>, open: &mut OpenObjects, counts: &mut SelectionCounts) -> usize {
+fn classify(sight: &Sight, tile: &mut ObjectTile<'_>, open: &mut OpenObjects, counts: &mut SelectionCounts) -> usize {
     let count = tile.level.len();
     let (sigma, limit, class) = (&sight.sigma[..count], &open.limit[..count], &mut open.class[..count]);
     for n in 0..count {
@@ -212,12 +215,12 @@ fn sort(sight: &Sight, tile: &mut ObjectTile<'_>, open: &mut OpenObjects, counts
             columns[0][n] = if class == LARGE { sigma[n] } else { f64::NAN };
         }
     }
-    let mut asked = 0;
+    let mut open_count = 0;
     for (n, &class) in class.iter().enumerate() {
-        // Always written, counted only if open: a branch would be mispredicted half of the time.
-        open.sizes.place[asked % TILE] = n as u16;
-        asked += usize::from(class == OPEN);
+        // Every index is written but counted only if open, because a branch would be mispredicted half of the time.
+        open.sizes.place[open_count % TILE] = n as u16;
+        open_count += usize::from(class == OPEN);
     }
-    counts.asked += asked as u64;
-    asked
+    counts.asked += open_count as u64;
+    open_count
 }

@@ -1,4 +1,4 @@
-//! Spheres in an eye's view: visibility, solid angle, angle from the axis.
+//! Spheres in an eye's view: visibility, solid angle, and angle from the axis.
 
 use std::f64::consts::PI;
 
@@ -9,16 +9,15 @@ use super::objects::TILE;
 use super::rules::Acuity;
 use crate::base::Result;
 use crate::base::simd::vectorized;
-use crate::bounds::check;
+use crate::bounds::check_spheres;
 use crate::camera::Fov;
 
 /// Number of spheres that a kernel processes together.
 const LANES: usize = 32;
 type Centers = [[f64; 3]; LANES];
-/// Range of squared distances that are represented with full precision.
+/// Range of squared distances that have full precision.
 const PRECISE_SQUARES: std::ops::Range<f64> = 1e-280..1e280;
-/// Relative rounding error of a sphere's distance from a side plane. It is added as a margin, so visible spheres are
-/// never culled.
+/// Relative rounding error of a sphere's distance from a side plane; as a margin it keeps visible spheres in view.
 const SLACK: f64 = 1e-14;
 /// σ of spheres outside the view.
 pub(crate) const HIDDEN: f64 = -1.0;
@@ -56,8 +55,8 @@ impl Frustum {
         DVec3::from_array(self.axes[2])
     }
 
-    /// Writes the visibility, size and angles of a tile of spheres; `first` is the index of its first sphere. Spheres
-    /// outside the view get HIDDEN if `cull`; spheres around the eye get 4π.
+    /// Writes the visibility, size and angles of a tile of spheres; `first` is the index of its first sphere. If
+    /// `cull`, spheres outside the view get the size HIDDEN. Spheres around the eye get 4π.
     pub(crate) fn see(
         &self,
         centers: &[[f64; 3]],
@@ -77,15 +76,15 @@ impl Frustum {
             see(self, hidden, &[centers], &[radii], to, center_blocks.len());
         }
         for n in 0..centers.len() {
-            if to.odd[n] > 0.0 {
-                check(&centers[n..=n], &radii[n..=n], self.position, first + n)?;
+            if to.imprecise[n] > 0.0 {
+                check_spheres(&centers[n..=n], &radii[n..=n], self.position, first + n)?;
                 self.see_one(centers[n], radii[n], hidden, to, n);
             }
         }
         Ok(())
     }
 
-    /// Computes one sphere whose squared lengths overflow or underflow.
+    /// Processes one sphere whose squared lengths overflow or underflow.
     fn see_one(&self, center: [f64; 3], radius: f64, hidden: f64, to: &mut Sight, n: usize) {
         let offset = DVec3::from_array(center) - self.position;
         let scale = offset.abs().max_element().max(radius);
@@ -101,9 +100,9 @@ impl Frustum {
 pub struct Eye {
     /// Pose and view.
     pub view: Frustum,
-    /// Acuity as a function of eccentricity, if it is used.
+    /// Acuity as a function of eccentricity; `None` to ignore it.
     pub acuity: Option<Acuity>,
-    /// Tangent of a pixel in the middle of the picture.
+    /// Width of a pixel in the middle of the picture, as a tangent.
     pub pixel: f64,
 }
 
@@ -116,8 +115,8 @@ pub(crate) struct Sight {
     pub cos_alpha: [f64; TILE],
     pub sin_mu: [f64; TILE],
     pub cos_mu: [f64; TILE],
-    /// 1 if squares overflow or underflow, or the lane is unused.
-    odd: [f64; TILE],
+    /// 1 if squares overflow or underflow, or the sphere is invalid; otherwise 0.
+    imprecise: [f64; TILE],
 }
 
 vectorized! {
@@ -132,9 +131,9 @@ fn see_blocks(view: &Frustum, hidden: f64, centers: &[Centers], radii: &[[f64; L
     let [right, up, ahead] = view.axes;
     let angles = to.sin_alpha.as_chunks_mut().0.iter_mut().zip(to.cos_alpha.as_chunks_mut().0);
     let sizes = to.sin_mu.as_chunks_mut().0.iter_mut().zip(to.cos_mu.as_chunks_mut().0);
-    let others = to.sigma.as_chunks_mut().0.iter_mut().zip(to.odd.as_chunks_mut().0);
+    let others = to.sigma.as_chunks_mut().0.iter_mut().zip(to.imprecise.as_chunks_mut().0);
     let results = angles.zip(sizes).zip(others).skip(first);
-    for ((from, radius), (((sin_alpha, cos_alpha), (sin_mu, cos_mu)), (sigma, odd))) in
+    for ((from, radius), (((sin_alpha, cos_alpha), (sin_mu, cos_mu)), (sigma, imprecise))) in
         centers.iter().zip(radii).zip(results)
     {
         let mut offset = [[0.0; LANES]; 3];
@@ -145,7 +144,7 @@ fn see_blocks(view: &Frustum, hidden: f64, centers: &[Centers], radii: &[[f64; L
         }
         let (sin_alpha, cos_alpha): (&mut [f64; LANES], &mut [f64; LANES]) = (sin_alpha, cos_alpha);
         let (sin_mu, cos_mu): (&mut [f64; LANES], &mut [f64; LANES]) = (sin_mu, cos_mu);
-        let (sigma, odd): (&mut [f64; LANES], &mut [f64; LANES]) = (sigma, odd);
+        let (sigma, imprecise): (&mut [f64; LANES], &mut [f64; LANES]) = (sigma, imprecise);
         for n in 0..LANES {
             let (x, y, z) = (offset[0][n], offset[1][n], offset[2][n]);
             let place = [
@@ -156,13 +155,13 @@ fn see_blocks(view: &Frustum, hidden: f64, centers: &[Centers], radii: &[[f64; L
             let (size, angles, is_precise) = see_sphere(view, hidden, place, radius[n]);
             sigma[n] = size;
             [sin_alpha[n], cos_alpha[n], sin_mu[n], cos_mu[n]] = angles;
-            odd[n] = if is_precise { 0.0 } else { 1.0 };
+            imprecise[n] = if is_precise { 0.0 } else { 1.0 };
         }
     }
 }
 
-/// Returns σ, the sines and cosines of α and μ, and whether the squares kept full precision, for a sphere at (right,
-/// up, ahead).
+/// Returns σ, the sines and cosines of α and μ, and whether the squares have full precision, for a sphere at `place`:
+/// (right, up, ahead) of the eye.
 #[inline(always)]
 #[expect(clippy::manual_range_contains, reason = "ranges have branches, which do not become vectors")]
 fn see_sphere(view: &Frustum, hidden: f64, place: [f64; 3], radius: f64) -> (f64, [f64; 4], bool) {

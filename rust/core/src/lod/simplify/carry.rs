@@ -1,8 +1,8 @@
 //! Transfer of a base surface's attributes to a coarser surface.
 //!
-//! For each corner of the coarser surface a walk finds the nearest point of the base. The walk starts at the face of
-//! the base below the middle of the corner's triangle and passes over faces that share vertices. Vertices with
-//! different attributes are distinct, so a walk never crosses a seam, even if both sides of it belong to one chart.
+//! For each corner of the coarser surface, a walk over the base's faces finds the nearest point. The walk starts at the
+//! face below the middle of the corner's triangle, and moves between faces that share vertices. Vertices with different
+//! attributes are distinct, so a walk never crosses a seam, even if both its sides belong to one chart.
 
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
@@ -14,7 +14,7 @@ use crate::trace::{Closest, closest};
 
 /// Number of triangles in one task.
 const TILE: usize = 1024;
-/// Maximum number of faces of the second ring that are tested if the first ring contains no nearer face.
+/// Maximum number of faces of the second ring that are tested if the first ring has no nearer face.
 const MAX_SECOND_RING: usize = 256;
 
 /// A surface whose faces are connected by vertices with equal attributes.
@@ -22,12 +22,13 @@ const MAX_SECOND_RING: usize = 256;
 pub struct Charts<'a> {
     positions: &'a [[f32; 3]],
     faces: &'a [[u32; 3]],
-    /// First entry of each vertex's faces in `around`; the last entry is the total.
+    /// Index in `vertex_faces` of each vertex's first face; the last entry is the length of `vertex_faces`.
     starts: Vec<u32>,
-    around: Vec<u32>,
+    /// The faces around each vertex.
+    vertex_faces: Vec<u32>,
 }
 
-/// A position on the base.
+/// A point of the base surface.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SurfacePlace {
     /// Face of the base.
@@ -37,36 +38,39 @@ pub struct SurfacePlace {
 }
 
 impl<'a> Charts<'a> {
-    /// Lists the faces around each vertex.
+    /// Creates the charts; fails if a face refers to a missing vertex.
     pub fn new(positions: &'a [[f32; 3]], faces: &'a [[u32; 3]]) -> Result<Self> {
         check_faces(faces, positions.len())?;
         let mut starts = try_vec(0u32, positions.len() + 1)?;
         faces.as_flattened().iter().for_each(|&vertex| starts[vertex as usize + 1] += 1);
         (0..positions.len()).for_each(|vertex| starts[vertex + 1] += starts[vertex]);
         let mut next = try_copy(&starts)?;
-        let mut around = try_vec(0, 3 * faces.len())?;
+        let mut vertex_faces = try_vec(0, 3 * faces.len())?;
         for (number, face) in faces.iter().enumerate() {
             for &vertex in face {
-                around[next[vertex as usize] as usize] = number as u32;
+                vertex_faces[next[vertex as usize] as usize] = number as u32;
                 next[vertex as usize] += 1;
             }
         }
-        Ok(Self { positions, faces, starts, around })
+        Ok(Self { positions, faces, starts, vertex_faces })
     }
 
-    fn near(&self, face: u32, goal: DVec3) -> Closest {
+    /// Returns the point of a face nearest to the goal.
+    fn closest_on_face(&self, face: u32, goal: DVec3) -> Closest {
         closest(self.faces[face as usize].map(|v| Vec3::from_array(self.positions[v as usize]).as_dvec3() - goal))
     }
 
     fn faces_around(&self, vertex: u32) -> impl Iterator<Item = u32> + '_ {
-        self.around[self.starts[vertex as usize] as usize..self.starts[vertex as usize + 1] as usize].iter().copied()
+        let [start, end] = [0, 1].map(|n| self.starts[vertex as usize + n] as usize);
+        self.vertex_faces[start..end].iter().copied()
     }
 
+    /// Returns the faces that share a vertex with a face; some repeatedly.
     fn ring(&self, face: u32) -> impl Iterator<Item = u32> + '_ {
         self.faces[face as usize].into_iter().flat_map(|vertex| self.faces_around(vertex))
     }
 
-    /// Collects the vertices of the faces around a face, except its own.
+    /// Collects the vertices of a face's ring, except the face's own vertices.
     fn outline(&self, face: u32, outline: &mut Vec<u32>) {
         outline.clear();
         let own_vertices = self.faces[face as usize];
@@ -76,11 +80,11 @@ impl<'a> Charts<'a> {
         outline.dedup();
     }
 
-    /// Returns the nearest of some faces if it is nearer to the goal than `best`; the first of equally near faces.
-    fn nearer(&self, faces: impl Iterator<Item = u32>, goal: DVec3, mut best: Closest) -> Option<(u32, Closest)> {
+    /// Returns the nearest of some faces if it is nearer to the goal than `best`; of equally near faces, the first.
+    fn nearest_face(&self, faces: impl Iterator<Item = u32>, goal: DVec3, mut best: Closest) -> Option<(u32, Closest)> {
         let mut nearest = None;
         for face in faces {
-            let near = self.near(face, goal);
+            let near = self.closest_on_face(face, goal);
             if near.square < best.square {
                 (best, nearest) = (near, Some((face, near)));
             }
@@ -90,22 +94,22 @@ impl<'a> Charts<'a> {
 
     /// Walks from a face until no face around it is nearer to the goal.
     fn walk(&self, start: u32, goal: DVec3, outline: &mut Vec<u32>) -> SurfacePlace {
-        let (mut face, mut best) = (start, self.near(start, goal));
+        let (mut face, mut best) = (start, self.closest_on_face(start, goal));
         loop {
-            let mut step = self.nearer(self.ring(face), goal, best);
+            let mut step = self.nearest_face(self.ring(face), goal, best);
             if step.is_none() {
                 // The second ring lets the walk cross ridges.
                 self.outline(face, outline);
                 let second = outline.iter().flat_map(|&vertex| self.faces_around(vertex)).take(MAX_SECOND_RING);
-                step = self.nearer(second, goal, best);
+                step = self.nearest_face(second, goal, best);
             }
             let Some(step) = step else { return SurfacePlace { face, weights: [best.u, best.v] } };
             (face, best) = step;
         }
     }
 
-    /// Returns the position of each corner of triangles. Their coordinates have the same origin as the base; the walks
-    /// begin at `starts`.
+    /// Returns the base's point for each corner of triangles, which have the same origin as the base. `starts` are the
+    /// faces at which the walks of each triangle begin.
     pub fn places(
         &self,
         corners: &[[[f32; 3]; 3]],

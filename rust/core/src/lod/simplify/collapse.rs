@@ -1,4 +1,4 @@
-//! Simplification by meshoptimizer's edge collapses, which do not move vertices.
+//! Simplification by meshoptimizer's edge collapses. Vertices do not move.
 
 use meshopt::{SimplifyOptions, SimplifyVertex, VertexDataAdapter, simplify_with_attributes_and_locks};
 
@@ -6,13 +6,13 @@ use super::surface::check_faces;
 use crate::base::memory::{room_for, try_copy};
 use crate::base::{Error, Result, ensure};
 
-/// Bytes per face and per vertex of all arrays while a surface is simplified, most of them meshoptimizer's.
+/// Memory for simplifying a surface, bytes per face and per vertex; most of it is meshoptimizer's.
 const SIMPLIFIER_BYTES: u64 = 160;
 
-/// Maximum number of attributes that meshoptimizer weighs beside positions.
+/// Maximum number of attributes that meshoptimizer takes into account.
 const MAX_ATTRIBUTES: usize = 32;
 
-/// Vertices with the attributes that are weighed beside their positions.
+/// Vertices with attributes that the simplification takes into account.
 #[derive(Clone, Copy, Debug)]
 pub struct Vertices<'a> {
     /// Positions; vertices with equal positions are one point of the surface.
@@ -25,19 +25,18 @@ pub struct Vertices<'a> {
     pub is_seam: &'a [bool],
 }
 
-/// Features that may be lost for fewer triangles. Edge collapses alone may already remove closed parts.
+/// Features that may be removed for fewer triangles. Edge collapses may remove closed parts in any case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Allowance {
     /// No features.
     Nothing,
     /// Seams at vertices whose `is_seam` is false.
     Seams,
-    /// Seams, and disconnected parts that cannot be collapsed, such as those with all corners on seams; the smallest
-    /// first.
+    /// Seams, and disconnected parts that cannot be collapsed, such as those with all corners on seams, smallest first.
     Parts,
 }
 
-/// Returns the remaining faces of a surface, about `target` of them, and the error relative to the surface's extent.
+/// Returns about `target` remaining faces of a surface, and the error relative to the surface's extent.
 pub fn collapse(
     vertices: Vertices<'_>,
     faces: &[[u32; 3]],

@@ -1,4 +1,4 @@
-//! Connectivity of a surface: equal rows, and faces that share vertices.
+//! Connectivity of a surface: equal vertices, and pieces of faces that share vertices.
 
 use std::collections::HashMap;
 
@@ -12,7 +12,7 @@ const ROWS_PER_CHECK: usize = 1 << 16;
 pub fn first_alike(rows: &[u8], width: usize, progress: &Progress) -> Result<Vec<u32>> {
     let is_whole = width > 0 && rows.len().is_multiple_of(width) && rows.len() / width <= u32::MAX as usize;
     ensure!(is_whole, "rows", format!("fewer than 2^32 rows of {width} bytes"), rows.len());
-    // Entries of the map, of which up to half stay unused, and the result.
+    // The map, up to half of whose entries stay unused, and the result.
     room_for_values::<[(&[u8], u32); 3]>(rows.len() / width)?;
     let mut first: HashMap<&[u8], u32> = HashMap::with_capacity(rows.len() / width);
     let mut alike = Vec::with_capacity(rows.len() / width);
@@ -25,14 +25,14 @@ pub fn first_alike(rows: &[u8], width: usize, progress: &Progress) -> Result<Vec
     Ok(alike)
 }
 
-/// Returns the number of each face's piece. Faces of a piece are connected by vertices; pieces are numbered in the
-/// order of their first faces.
+/// Returns the number of each face's piece. A piece is a set of faces that are connected by shared vertices; pieces are
+/// numbered in the order of their first faces.
 pub fn pieces(faces: &[[u32; 3]], vertex_count: usize, progress: &Progress) -> Result<Vec<u32>> {
     check_faces(faces, vertex_count)?;
     let mut parent = try_list(0..vertex_count as u32)?;
     fn root(parent: &mut [u32], mut vertex: u32) -> u32 {
         while parent[vertex as usize] != vertex {
-            // Path halving: every second step of a path is removed, so paths stay short.
+            // Path halving: each vertex on the path is linked to its grandparent, so that paths stay short.
             parent[vertex as usize] = parent[parent[vertex as usize] as usize];
             vertex = parent[vertex as usize];
         }
@@ -77,7 +77,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn rows_find_the_first_of_their_kind() {
+    fn rows_are_mapped_to_their_first_equal_row() {
         assert_eq!(first_alike(&[1, 2, 3, 4, 1, 2, 3, 4], 2, &Progress::new()), Ok(vec![0, 1, 0, 1]));
         assert_eq!(first_alike(&[], 4, &Progress::new()), Ok(vec![]));
         assert!(
