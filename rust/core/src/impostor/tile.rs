@@ -1,0 +1,259 @@
+//! Square tiles of a layer's cube faces: what the layer's centre sees in each texel, and which texels the layer keeps.
+
+use glam::DVec3;
+
+use super::layer::{Layer, Patch};
+use super::plane::{Bound, Plane};
+use super::probe::Probe;
+use crate::camera::direction_from_face;
+use crate::partition::{Partition, Zone};
+use crate::render::Facet;
+use crate::scene::Scene;
+use crate::trace::{All, AlphaFilter, FaceHits, Hit, HitFilter, Ray, closest_hits};
+
+/// Width of a tile, texels.
+pub const SIDE: usize = 64;
+/// Texels around a tile that are traced as well, for masks that grow.
+pub const APRON: usize = 1;
+const WIDE: usize = SIDE + 2 * APRON;
+/// Width of a block of neighbouring rays.
+const BLOCK: usize = 8;
+/// Cosine between ray and surface below which the surface's own plane is no guide to the depths around the texel.
+const MIN_COSINE: f64 = 1e-3;
+
+/// Filter for triangles that are far as a whole; all others are drawn as geometry.
+pub struct FarOnly<'a>(pub &'a Partition);
+
+impl HitFilter for FarOnly<'_> {
+    fn face_hits(&self, instance: u32, face: u32) -> FaceHits {
+        if self.0.zone(instance, face) == Zone::Far { FaceHits::All } else { FaceHits::None }
+    }
+}
+
+/// The static part of a scene, its partition, and the users' region.
+pub struct World<'a> {
+    /// The scene without moving objects, built.
+    pub scene: &'a Scene,
+    /// Partition of the scene at r₂.
+    pub partition: &'a Partition,
+    /// O relative to the scene's origin.
+    pub eye: DVec3,
+    /// Radius of the users' region about O, metres.
+    pub reach: f64,
+    /// Greatest error, radians.
+    pub angle: f64,
+}
+
+impl World<'_> {
+    /// Traces rays in order; only far triangles count if `far_only`.
+    pub fn trace(&self, rays: &[Ray], far_only: bool, hits: &mut [Hit]) {
+        if far_only {
+            closest_hits(self.scene, rays, &AlphaFilter::new(self.scene, FarOnly(self.partition)), hits);
+        } else {
+            closest_hits(self.scene, rays, &AlphaFilter::new(self.scene, All), hits);
+        }
+    }
+
+    /// Returns whether a hit is on a triangle that is far as a whole.
+    pub fn is_far(&self, hit: &Hit) -> bool {
+        !hit.is_miss() && self.partition.zone(hit.instance, hit.face) == Zone::Far
+    }
+
+    /// Returns the bound of a layer baked from a centre.
+    pub fn bound(&self, center: DVec3) -> Bound {
+        Bound::new(center, self.eye, self.reach, self.angle)
+    }
+}
+
+/// Far surface in the centre of a texel, or the nearest other surface.
+#[derive(Clone, Copy, Debug)]
+pub struct Texel {
+    /// The far surface, or a miss.
+    pub hit: Hit,
+    /// Plane of the surface.
+    pub plane: Plane,
+    /// Inverse depth of the far surface, or of a near one where no far surface follows it; 0 for the sky.
+    pub w: f64,
+    /// Least and greatest inverse depth at which the texel may be shown.
+    pub least: f64,
+    /// See `least`.
+    pub greatest: f64,
+    kept: bool,
+}
+
+impl Texel {
+    const SKY: Self = Self { hit: Hit::MISS, plane: Plane([0.0; 3]), w: 0.0, least: 0.0, greatest: 0.0, kept: false };
+
+    /// Returns whether the layer has to show this texel.
+    #[inline]
+    pub fn is_wanted(&self) -> bool {
+        self.kept
+    }
+}
+
+/// Place of a tile on the faces of a cube.
+#[derive(Clone, Copy, Debug)]
+pub struct Place {
+    /// Face.
+    pub face: u8,
+    /// First column.
+    pub left: usize,
+    /// First row.
+    pub top: usize,
+}
+
+/// A tile with its apron.
+pub struct Tile {
+    /// Place on the faces.
+    pub place: Place,
+    /// Width of a face, texels.
+    pub size: usize,
+    texels: Vec<Texel>,
+}
+
+impl Tile {
+    /// Traces a tile from a centre and chooses the texels to keep: far surfaces that no earlier layer shows and that
+    /// the centre sees or, with `probes`, that one of these sees behind near surfaces.
+    pub fn trace(
+        world: &World<'_>,
+        center: DVec3,
+        size: usize,
+        place: Place,
+        earlier: &[Layer],
+        probes: &[Probe],
+    ) -> Self {
+        let mut tile = Self { place, size, texels: vec![Texel::SKY; WIDE * WIDE] };
+        let bound = world.bound(center);
+        let (mut rays, mut slots) = (Vec::with_capacity(BLOCK * BLOCK), Vec::with_capacity(BLOCK * BLOCK));
+        let mut hits = [Hit::MISS; BLOCK * BLOCK];
+        for block in 0..WIDE.div_ceil(BLOCK).pow(2) {
+            let (x, y) = (block % WIDE.div_ceil(BLOCK) * BLOCK, block / WIDE.div_ceil(BLOCK) * BLOCK);
+            (rays.clear(), slots.clear());
+            for row in y..(y + BLOCK).min(WIDE) {
+                for column in x..(x + BLOCK).min(WIDE) {
+                    rays.push(tile.ray(center, column as f64 - 0.5, row as f64 - 0.5));
+                    slots.push(row * WIDE + column);
+                }
+            }
+            world.trace(&rays, false, &mut hits[..rays.len()]);
+            let mut hidden = Vec::new();
+            for (n, hit) in hits[..rays.len()].iter().enumerate() {
+                if world.is_far(hit) {
+                    tile.set(world, &bound, center, slots[n], &rays[n], *hit);
+                    tile.texels[slots[n]].kept = true;
+                } else if !hit.is_miss() {
+                    let (u, v) = tile.position(slots[n]);
+                    tile.texels[slots[n]].w = direction_from_face(place.face, u, v).length() / f64::from(hit.t);
+                    hidden.push(n);
+                }
+            }
+            if !probes.is_empty() && !hidden.is_empty() {
+                let behind: Vec<Ray> = hidden.iter().map(|&n| rays[n]).collect();
+                world.trace(&behind, true, &mut hits[..behind.len()]);
+                for ((&n, ray), hit) in hidden.iter().zip(&behind).zip(hits) {
+                    if !hit.is_miss() {
+                        let point = ray.origin.as_dvec3() + ray.direction.as_dvec3() * f64::from(hit.t);
+                        if probes.iter().any(|probe| probe.sees(point)) {
+                            tile.set(world, &bound, center, slots[n], ray, hit);
+                            tile.texels[slots[n]].kept = true;
+                        }
+                    }
+                }
+            }
+        }
+        tile.drop_shown(world, center, earlier);
+        tile
+    }
+
+    /// Drops kept texels outside the face or tile, and those that earlier layers show.
+    fn drop_shown(&mut self, world: &World<'_>, center: DVec3, earlier: &[Layer]) {
+        for slot in 0..self.texels.len() {
+            if !self.texels[slot].kept {
+                continue;
+            }
+            let (column, row) = (slot % WIDE, slot / WIDE);
+            let is_inside =
+                |at: usize, first: usize| (APRON..SIDE + APRON).contains(&at) && first + at - APRON < self.size;
+            let is_inside = is_inside(column, self.place.left) && is_inside(row, self.place.top);
+            self.texels[slot].kept = is_inside && {
+                let (u, v) = self.position(slot);
+                let direction = direction_from_face(self.place.face, u, v);
+                let patch = Patch::new(
+                    center,
+                    direction,
+                    self.texels[slot].w,
+                    &self.texels[slot].plane,
+                    self.place.face,
+                    self.size,
+                );
+                !earlier.iter().any(|layer| layer.shows(world, &patch))
+            };
+        }
+    }
+
+    fn set(&mut self, world: &World<'_>, bound: &Bound, center: DVec3, slot: usize, ray: &Ray, hit: Hit) {
+        let (u, v) = self.position(slot);
+        let direction = direction_from_face(self.place.face, u, v);
+        let (secant, unit) = (direction.length(), direction.normalize());
+        let surface = Facet::new(world.scene, hit.instance, hit.face).surface((hit.u, hit.v), ray.direction);
+        let (point, normal) = (surface.point.as_dvec3() - center, surface.normal.as_dvec3());
+        let seen = secant / f64::from(hit.t);
+        let own =
+            if normal.dot(unit).abs() > MIN_COSINE { Plane::through(self.place.face, point, normal) } else { None };
+        let plane = own.unwrap_or(Plane::frontal(seen));
+        let w = plane.w(u, v);
+        let (plane, w) =
+            if w > 0.0 && (w / seen - 1.0).abs() < 1e-2 { (plane, w) } else { (Plane::frontal(seen), seen) };
+        let [nearest, farthest] = bound.distances(unit, secant / w);
+        // A plane's value at its own texel may be off by its rounding.
+        let (least, greatest) = (secant / farthest * (1.0 - 1e-9), secant / nearest * (1.0 + 1e-9));
+        self.texels[slot] = Texel { hit, plane, w, least, greatest, kept: false };
+    }
+
+    fn position(&self, slot: usize) -> (f64, f64) {
+        let (column, row) = ((slot % WIDE) as f64 - 1.0, (slot / WIDE) as f64 - 1.0);
+        (self.edge_u(column + 0.5), self.edge_v(row + 0.5))
+    }
+
+    /// Returns the ray from the centre through a position in the tile, in texels from its left and upper edge.
+    pub fn ray(&self, center: DVec3, x: f64, y: f64) -> Ray {
+        let direction = direction_from_face(self.place.face, self.edge_u(x), self.edge_v(y)).normalize();
+        Ray { origin: center.as_vec3(), direction: direction.as_vec3(), t_min: 0.0, t_max: f32::INFINITY }
+    }
+
+    /// Returns a texel of the tile; its apron has column and row −1 and `SIDE`.
+    #[inline]
+    pub fn around(&self, column: isize, row: isize) -> &Texel {
+        &self.texels[(row + 1) as usize * WIDE + (column + 1) as usize]
+    }
+
+    /// Returns a texel of the tile.
+    #[inline]
+    pub fn at(&self, column: usize, row: usize) -> &Texel {
+        &self.texels[(row + APRON) * WIDE + column + APRON]
+    }
+
+    /// Returns the position on the face of a column's centre.
+    #[inline]
+    pub fn u(&self, column: usize) -> f64 {
+        self.edge_u(column as f64 + 0.5)
+    }
+
+    /// Returns the position on the face of a row's centre.
+    #[inline]
+    pub fn v(&self, row: usize) -> f64 {
+        self.edge_v(row as f64 + 0.5)
+    }
+
+    /// Returns the position on the face of a distance in texels from the tile's left edge.
+    #[inline]
+    pub fn edge_u(&self, x: f64) -> f64 {
+        (self.place.left as f64 + x) * 2.0 / self.size as f64 - 1.0
+    }
+
+    /// Returns the position on the face of a distance in texels from the tile's upper edge.
+    #[inline]
+    pub fn edge_v(&self, y: f64) -> f64 {
+        (self.place.top as f64 + y) * 2.0 / self.size as f64 - 1.0
+    }
+}
