@@ -6,15 +6,19 @@ use super::strips::cells;
 use super::tile::{APRON, SIDE, Texel, Tile};
 
 /// Planes that a node with children may have; more are cheaper as four children.
-const MAX_PLANES: usize = 3;
+
 /// Width of the smallest nodes, texels.
 const MIN_SIDE: usize = 4;
 /// Texels whose planes are tried for each plane of a node.
-const TRIED: usize = 4;
+
 /// Greatest ratio of inverse depths within a rectangle: a plane that reaches almost to infinity there is refused.
 const MAX_RATIO: f64 = 4.0;
 /// Cost of two triangles in texels of the atlas: 22 bytes of geometry against about 0.9 bytes a texel.
-const CELL_COST: f64 = 24.0;
+fn cell_cost() -> f64 { par(0) }
+pub fn par(n: usize) -> f64 {
+    static P: std::sync::OnceLock<Vec<f64>> = std::sync::OnceLock::new();
+    P.get_or_init(|| std::env::var("IMP").unwrap_or("24,3,4,0".into()).split(',').map(|x| x.parse().unwrap()).collect())[n]
+}
 
 /// Texels of a tile that one plane shows.
 #[derive(Clone, Debug)]
@@ -34,6 +38,10 @@ struct Node {
 }
 
 impl Node {
+    fn rectangle(self) -> [usize; 4] {
+        [self.left, self.top, self.left + self.side, self.top + self.side]
+    }
+
     fn children(self) -> [Self; 4] {
         let side = self.side / 2;
         [(0, 0), (side, 0), (0, side), (side, side)].map(|(x, y)| Self { left: self.left + x, top: self.top + y, side })
@@ -42,7 +50,60 @@ impl Node {
 
 /// Returns planes that show each wanted texel of a tile exactly once.
 pub fn cover(tile: &Tile) -> Vec<Cover> {
-    solve(tile, Node { left: 0, top: 0, side: SIDE }).1
+    merge(tile, solve(tile, Node { left: 0, top: 0, side: SIDE }).1)
+}
+
+/// Joins covers, also of different nodes, where one plane shows both and one rectangle costs less than two.
+fn merge(tile: &Tile, covers: Vec<Cover>) -> Vec<Cover> {
+    let mut order: Vec<(f64, Cover)> = covers.into_iter().map(|cover| (cost_of(tile, &cover), cover)).collect();
+    loop {
+        order.sort_by_key(|(_, cover)| std::cmp::Reverse(cover.texels.len()));
+        let mut merged: Vec<(f64, Cover)> = Vec::with_capacity(order.len());
+        let before = order.len();
+        for (cost, cover) in order {
+            let best = merged
+                .iter()
+                .enumerate()
+                .filter_map(|(n, (other_cost, other))| {
+                    let (joined_cost, joined) = join(tile, other, &cover, cost + other_cost)?;
+                    Some((joined_cost - cost - other_cost, n, joined_cost, joined))
+                })
+                .min_by(|a, b| a.0.total_cmp(&b.0));
+            match best {
+                Some((_, n, joined_cost, joined)) => merged[n] = (joined_cost, joined),
+                None => merged.push((cost, cover)),
+            }
+        }
+        if merged.len() == before {
+            return merged.into_iter().map(|(_, cover)| cover).collect();
+        }
+        order = merged;
+    }
+}
+
+/// Returns a cover of the texels of two, and its cost; `None` if no plane shows both or the cost is not below `limit`.
+fn join(tile: &Tile, a: &Cover, b: &Cover, limit: f64) -> Option<(f64, Cover)> {
+    let [one, two] = [rectangle(&a.texels), rectangle(&b.texels)];
+    let both = [one[0].min(two[0]), one[1].min(two[1]), one[2].max(two[2]), one[3].max(two[3])];
+    if cell_cost() + outer_area(both) >= limit {
+        return None;
+    }
+    let shows_both = |plane: &Plane| {
+        is_tame(tile, both, plane) && [a, b].iter().all(|cover| cover.texels.iter().all(|&texel| shows(tile, plane, texel)))
+    };
+    let texels = || {
+        let mut texels = [&a.texels[..], &b.texels[..]].concat();
+        texels.sort_unstable();
+        texels
+    };
+    let plane = [a.plane, b.plane].into_iter().find(shows_both).or_else(|| fit(tile, &texels()).filter(shows_both))?;
+    let cover = Cover { plane, texels: texels() };
+    let cost = cost_of(tile, &cover);
+    (cost < limit).then_some((cost, cover))
+}
+
+fn outer_area([left, top, right, bottom]: [usize; 4]) -> f64 {
+    ((right - left + 2 * APRON) * (bottom - top + 2 * APRON)) as f64
 }
 
 fn solve(tile: &Tile, node: Node) -> (f64, Vec<Cover>) {
@@ -51,7 +112,7 @@ fn solve(tile: &Tile, node: Node) -> (f64, Vec<Cover>) {
         return (0.0, Vec::new());
     }
     let is_least = node.side <= MIN_SIDE;
-    let own = planes(tile, node, texels, if is_least { usize::MAX } else { MAX_PLANES });
+    let own = planes(tile, node, texels, if is_least { usize::MAX } else { par(1) as usize });
     let cost = own.as_ref().map_or(f64::INFINITY, |covers| covers.iter().map(|cover| cost_of(tile, cover)).sum());
     let is_full = |covers: &Vec<Cover>| covers.len() == 1 && 4 * covers[0].texels.len() >= 3 * node.side * node.side;
     if let Some(covers) = own.as_ref().filter(|covers| is_least || is_full(covers) && cost < FULL_COST * area(node)) {
@@ -119,11 +180,11 @@ fn shows(tile: &Tile, plane: &Plane, number: u16) -> bool {
 /// what these show. Shows at least one.
 fn best_plane(tile: &Tile, node: Node, texels: &[u16]) -> Plane {
     let count = |plane: &Plane| texels.iter().filter(|&&texel| shows(tile, plane, texel)).count();
-    let better = |best: (usize, Plane), plane: Plane| match is_tame(tile, node, &plane) {
+    let better = |best: (usize, Plane), plane: Plane| match is_tame(tile, node.rectangle(), &plane) {
         true if count(&plane) > best.0 => (count(&plane), plane),
         _ => best,
     };
-    let tried = TRIED.min(texels.len());
+    let tried = (par(2) as usize).min(texels.len());
     let samples = (0..tried).map(|n| tile_texel(tile, texels[(2 * n + 1) * texels.len() / (2 * tried)]));
     let planes = samples.flat_map(|texel| [texel.plane, Plane::frontal(texel.w)]);
     let mut best = planes.fold((0, Plane::frontal(0.0)), better);
@@ -134,11 +195,11 @@ fn best_plane(tile: &Tile, node: Node, texels: &[u16]) -> Plane {
     best.1
 }
 
-/// Returns whether a plane stays at usable depths over the whole node and a texel around it.
-fn is_tame(tile: &Tile, node: Node, plane: &Plane) -> bool {
-    let (left, top, side) = (node.left as f64 - 1.0, node.top as f64 - 1.0, node.side as f64 + 2.0);
-    let corners = [(0.0, 0.0), (side, 0.0), (0.0, side), (side, side)]
-        .map(|(x, y)| plane.w(tile.edge_u(left + x), tile.edge_v(top + y)));
+/// Returns whether a plane stays at usable depths over the whole rectangle and a texel around it.
+fn is_tame(tile: &Tile, [left, top, right, bottom]: [usize; 4], plane: &Plane) -> bool {
+    let [left, top, right, bottom] = [left as f64 - 1.0, top as f64 - 1.0, right as f64 + 1.0, bottom as f64 + 1.0];
+    let corners = [(left, top), (right, top), (left, bottom), (right, bottom)]
+        .map(|(x, y)| plane.w(tile.edge_u(x), tile.edge_v(y)));
     let (low, high) = corners.iter().fold((f64::INFINITY, 0.0f64), |(low, high), &w| (low.min(w), high.max(w)));
     low > 0.0 && high <= MAX_RATIO * low
 }
@@ -187,8 +248,7 @@ fn solve_three(mut rows: [[f64; 4]; 3]) -> Option<[f64; 3]> {
 fn cost_of(tile: &Tile, cover: &Cover) -> f64 {
     let rectangle = rectangle(&cover.texels);
     let cells = cells(&cover.plane, tile, rectangle.map(|edge| edge as isize));
-    let [left, top, right, bottom] = rectangle;
-    CELL_COST * (cells[0] * cells[1]) as f64 + ((right - left + 2 * APRON) * (bottom - top + 2 * APRON)) as f64
+    cell_cost() * (cells[0] * cells[1]) as f64 + outer_area(rectangle)
 }
 
 /// Returns the rectangle around texels: left, top, right and bottom, of which the last two are not part of it.

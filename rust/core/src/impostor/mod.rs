@@ -94,7 +94,7 @@ pub fn bake(scene: &Scene, settings: &Settings, progress: &Progress) -> Result<I
     let mut baked = Baked { layers: Vec::new(), quads: Vec::new(), result: Impostors::default() };
     baked.add(&world, eye, size as usize, &probes, progress)?;
     for n in 0..ROUND.min(settings.centers.saturating_sub(1) as usize) {
-        baked.add(&world, around(reach, n, ROUND, 0.0), size as usize, &[], progress)?;
+        baked.add(&world, around(reach, n, ROUND, 0.0), size as usize, &probes, progress)?;
     }
     let total: usize = probes.iter().map(Probe::texels).sum();
     loop {
@@ -107,7 +107,7 @@ pub fn bake(scene: &Scene, settings: &Settings, progress: &Progress) -> Result<I
         }
         // The first of equals, so that the choice does not depend on how probes are counted.
         let worst = (0..probes.len()).max_by_key(|&n| (missing[n], std::cmp::Reverse(n))).unwrap_or_default();
-        baked.add(&world, probes[worst].position, size as usize, &[], progress)?;
+        baked.add(&world, probes[worst].position, size as usize, &probes, progress)?;
     }
     baked.result.mesh = atlas::build(&baked.quads, size as usize)?;
     Ok(baked.result)

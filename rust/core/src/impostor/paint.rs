@@ -83,17 +83,22 @@ pub fn paint(world: &World<'_>, center: DVec3, tile: &Tile, cover: &Cover) -> Qu
     for (&texel, color) in cover.texels.iter().zip(&colors) {
         by_slot[slot((usize::from(texel) % SIDE) as isize, (usize::from(texel) / SIDE) as isize)] = Some(*color);
     }
-    let mean = mean(colors.iter().copied());
+    let mean = mean(colors.iter().map(|color| color.0));
     let mut texels = Vec::with_capacity(((grown[2] - grown[0]) * (grown[3] - grown[1])) as usize);
     for row in grown[1]..grown[3] {
         for column in grown[0]..grown[2] {
             let beside = (-1..=1).flat_map(|dy| (-1..=1).map(move |dx| (column + dx, row + dy)));
             let beside = beside
                 .filter(|&(x, y)| (-1..=SIDE as isize).contains(&x) && (-1..=SIDE as isize).contains(&y))
-                .filter_map(|(x, y)| by_slot[slot(x, y)]);
-            let color = by_slot[slot(column, row)].or_else(|| average(beside)).unwrap_or(mean);
+                .filter_map(|(x, y)| by_slot[slot(x, y)].map(|color: ([f32; 3], u8)| color.0));
+            let own = by_slot[slot(column, row)];
+            let color = own.map(|own| own.0).or_else(|| average(beside)).unwrap_or(mean);
             let [r, g, b] = color.map(srgb_from_linear);
-            texels.push([r, g, b, if states[slot(column, row)] == State::Outside { 0 } else { u8::MAX }]);
+            texels.push([r, g, b, match states[slot(column, row)] {
+                State::Outside => 0,
+                State::Grown => u8::MAX,
+                State::Shown => own.map_or(u8::MAX, |own| own.1),
+            }]);
         }
     }
     let cells = super::strips::cells(&cover.plane, tile, grown);
@@ -112,9 +117,8 @@ fn average(colors: impl Iterator<Item = [f32; 3]>) -> Option<[f32; 3]> {
 
 /// Returns the linear RGB of a cover's texels: the mean of the samples that lie on its plane, or else the colour in the
 /// texel's centre. Texels inside a face without a texture take one sample.
-fn colors(world: &World<'_>, center: DVec3, tile: &Tile, cover: &Cover) -> Vec<[f32; 3]> {
-    let width = |ray: &Ray, hit: &Hit, secant: f64| {
-        let _ = ray;
+fn colors(world: &World<'_>, center: DVec3, tile: &Tile, cover: &Cover) -> Vec<([f32; 3], u8)> {
+    let width = |hit: &Hit, secant: f64| {
         (2.0 / tile.size as f64 / secant.powf(1.5) * f64::from(hit.t)) as f32
     };
     let mut colors = Vec::with_capacity(cover.texels.len());
@@ -126,7 +130,7 @@ fn colors(world: &World<'_>, center: DVec3, tile: &Tile, cover: &Cover) -> Vec<[
         let ray = tile.ray(center, x, y);
         let hit = tile.at(column, row).hit;
         let secant = direction_from_face(tile.place.face, tile.edge_u(x), tile.edge_v(y)).length();
-        colors.push(Surface::of_hit(world.scene, &ray, &hit).color(world.scene, width(&ray, &hit, secant)));
+        colors.push((Surface::of_hit(world.scene, &ray, &hit).color(world.scene, width(&hit, secant)), u8::MAX));
         if needs_samples(world, tile, column, row) {
             sampled.push(n);
             rays.extend(SAMPLES.map(|(dx, dy)| tile.ray(center, column as f64 + dx, row as f64 + dy)));
@@ -143,12 +147,20 @@ fn colors(world: &World<'_>, center: DVec3, tile: &Tile, cover: &Cover) -> Vec<[
             let (u, v) = (tile.edge_u(column as f64 + dx), tile.edge_v(row as f64 + dy));
             let secant = direction_from_face(tile.place.face, u, v).length();
             let is_on_plane = !hit.is_miss() && (secant / f64::from(hit.t) - cover.plane.w(u, v)).abs() <= allowed;
-            let color = || Surface::of_hit(world.scene, ray, hit).color(world.scene, 0.5 * width(ray, hit, secant));
+            let color = || Surface::of_hit(world.scene, ray, hit).color(world.scene, 0.5 * width(hit, secant));
             is_on_plane.then(color)
         });
         if let Some(color) = average(on_plane) {
-            colors[n] = color;
+            colors[n].0 = color;
         }
+        // Samples that see past the plane lie outside the surface's silhouette.
+        let is_beyond = |((hit, (dx, dy)), _): &((&Hit, (f64, f64)), ())| {
+            let (u, v) = (tile.edge_u(column as f64 + dx), tile.edge_v(row as f64 + dy));
+            let secant = direction_from_face(tile.place.face, u, v).length();
+            hit.is_miss() || secant / f64::from(hit.t) < cover.plane.w(u, v) - allowed
+        };
+        let beyond = hits.iter().zip(SAMPLES).zip([(); 4]).filter(is_beyond).count();
+        colors[n].1 = (u8::MAX as usize * (SAMPLES.len() - beyond) / SAMPLES.len()) as u8;
     }
     colors
 }

@@ -162,7 +162,38 @@ impl Tile {
             }
         }
         tile.drop_shown(world, center, earlier);
+        if !earlier.is_empty() {
+            tile.drop_specks(super::cover::par(3) as usize);
+        }
         tile
+    }
+
+    /// Drops connected groups of fewer kept texels than a number.
+    fn drop_specks(&mut self, least: usize) {
+        let mut seen = vec![false; WIDE * WIDE];
+        for first in 0..WIDE * WIDE {
+            if seen[first] || !self.texels[first].kept {
+                continue;
+            }
+            seen[first] = true;
+            let mut group = vec![first];
+            let mut next = 0;
+            while next < group.len() {
+                let (x, y) = (group[next] % WIDE, group[next] / WIDE);
+                next += 1;
+                for (dx, dy) in [(0, 1), (1, 0), (1, 2), (2, 1)] {
+                    let (x, y) = (x + dx - 1, y + dy - 1);
+                    let slot = y * WIDE + x;
+                    if !seen[slot] && self.texels[slot].kept {
+                        seen[slot] = true;
+                        group.push(slot);
+                    }
+                }
+            }
+            if group.len() < least {
+                group.iter().for_each(|&slot| self.texels[slot].kept = false);
+            }
+        }
     }
 
     /// Drops kept texels outside the face or tile, and those that earlier layers show.
