@@ -2,7 +2,6 @@
 
 use glam::DVec3;
 
-use super::layer::tiles_across;
 use super::paint::Quad;
 use crate::base::memory::{try_vec, try_with_capacity};
 use crate::base::{Result, ensure};
@@ -34,7 +33,6 @@ pub struct Mesh {
 
 /// Packs the textures of quads and builds their triangles. Each quad has the centre of its layer relative to O.
 pub fn build(quads: &[(DVec3, Quad)], size: usize) -> Result<Mesh> {
-    let _ = tiles_across(size);
     let (places, side) = pack(quads)?;
     let mut mesh =
         Mesh { size: side.map(|side| side as u32), texels: try_vec([0; 4], side[0] * side[1])?, ..Mesh::default() };

@@ -3,22 +3,18 @@
 
 use super::plane::Plane;
 use super::strips::cells;
-use super::tile::{APRON, SIDE, Texel, Tile};
+use super::tile::{APRON, SIDE, Texel, Tile, column_and_row};
 
 /// Planes that a node with children may have; more are cheaper as four children.
-
+const MAX_PLANES: usize = 5;
 /// Width of the smallest nodes, texels.
 const MIN_SIDE: usize = 4;
 /// Texels whose planes are tried for each plane of a node.
-
+const TRIED: usize = 8;
 /// Greatest ratio of inverse depths within a rectangle: a plane that reaches almost to infinity there is refused.
 const MAX_RATIO: f64 = 4.0;
-/// Cost of two triangles in texels of the atlas: 22 bytes of geometry against about 0.9 bytes a texel.
-fn cell_cost() -> f64 { par(0) }
-pub fn par(n: usize) -> f64 {
-    static P: std::sync::OnceLock<Vec<f64>> = std::sync::OnceLock::new();
-    P.get_or_init(|| std::env::var("IMP").unwrap_or("24,3,4,0".into()).split(',').map(|x| x.parse().unwrap()).collect())[n]
-}
+/// Cost of two triangles in texels of the atlas: about 25 bytes of geometry against 0.4 bytes a texel.
+const CELL_COST: f64 = 60.0;
 
 /// Texels of a tile that one plane shows.
 #[derive(Clone, Debug)]
@@ -85,11 +81,12 @@ fn merge(tile: &Tile, covers: Vec<Cover>) -> Vec<Cover> {
 fn join(tile: &Tile, a: &Cover, b: &Cover, limit: f64) -> Option<(f64, Cover)> {
     let [one, two] = [rectangle(&a.texels), rectangle(&b.texels)];
     let both = [one[0].min(two[0]), one[1].min(two[1]), one[2].max(two[2]), one[3].max(two[3])];
-    if cell_cost() + outer_area(both) >= limit {
+    if CELL_COST + outer_area(both) >= limit {
         return None;
     }
     let shows_both = |plane: &Plane| {
-        is_tame(tile, both, plane) && [a, b].iter().all(|cover| cover.texels.iter().all(|&texel| shows(tile, plane, texel)))
+        is_tame(tile, both, plane)
+            && [a, b].iter().all(|cover| cover.texels.iter().all(|&texel| shows(tile, plane, texel)))
     };
     let texels = || {
         let mut texels = [&a.texels[..], &b.texels[..]].concat();
@@ -112,7 +109,7 @@ fn solve(tile: &Tile, node: Node) -> (f64, Vec<Cover>) {
         return (0.0, Vec::new());
     }
     let is_least = node.side <= MIN_SIDE;
-    let own = planes(tile, node, texels, if is_least { usize::MAX } else { par(1) as usize });
+    let own = planes(tile, node, texels, if is_least { usize::MAX } else { MAX_PLANES });
     let cost = own.as_ref().map_or(f64::INFINITY, |covers| covers.iter().map(|cover| cost_of(tile, cover)).sum());
     let is_full = |covers: &Vec<Cover>| covers.len() == 1 && 4 * covers[0].texels.len() >= 3 * node.side * node.side;
     if let Some(covers) = own.as_ref().filter(|covers| is_least || is_full(covers) && cost < FULL_COST * area(node)) {
@@ -165,12 +162,13 @@ fn planes(tile: &Tile, node: Node, mut texels: Vec<u16>, limit: usize) -> Option
 }
 
 fn tile_texel(tile: &Tile, number: u16) -> &Texel {
-    tile.at(usize::from(number) % SIDE, usize::from(number) / SIDE)
+    let (column, row) = column_and_row(number);
+    tile.at(column, row)
 }
 
 #[inline]
 fn shows(tile: &Tile, plane: &Plane, number: u16) -> bool {
-    let (column, row) = (usize::from(number) % SIDE, usize::from(number) / SIDE);
+    let (column, row) = column_and_row(number);
     let texel = tile.at(column, row);
     let w = plane.w(tile.u(column), tile.v(row));
     texel.least <= w && w <= texel.greatest
@@ -184,7 +182,7 @@ fn best_plane(tile: &Tile, node: Node, texels: &[u16]) -> Plane {
         true if count(&plane) > best.0 => (count(&plane), plane),
         _ => best,
     };
-    let tried = (par(2) as usize).min(texels.len());
+    let tried = TRIED.min(texels.len());
     let samples = (0..tried).map(|n| tile_texel(tile, texels[(2 * n + 1) * texels.len() / (2 * tried)]));
     let planes = samples.flat_map(|texel| [texel.plane, Plane::frontal(texel.w)]);
     let mut best = planes.fold((0, Plane::frontal(0.0)), better);
@@ -211,7 +209,7 @@ fn fit(tile: &Tile, texels: &[u16]) -> Option<Plane> {
     }
     let mut sums = [[0.0; 4]; 3];
     for &number in texels {
-        let (column, row) = (usize::from(number) % SIDE, usize::from(number) / SIDE);
+        let (column, row) = column_and_row(number);
         let texel = tile.at(column, row);
         let weight = 1.0 / (texel.greatest - texel.least).max(1e-12).powi(2);
         let terms = [1.0, tile.u(column), tile.v(row), texel.w];
@@ -248,13 +246,13 @@ fn solve_three(mut rows: [[f64; 4]; 3]) -> Option<[f64; 3]> {
 fn cost_of(tile: &Tile, cover: &Cover) -> f64 {
     let rectangle = rectangle(&cover.texels);
     let cells = cells(&cover.plane, tile, rectangle.map(|edge| edge as isize));
-    cell_cost() * (cells[0] * cells[1]) as f64 + outer_area(rectangle)
+    CELL_COST * (cells[0] * cells[1]) as f64 + outer_area(rectangle)
 }
 
 /// Returns the rectangle around texels: left, top, right and bottom, of which the last two are not part of it.
 pub fn rectangle(texels: &[u16]) -> [usize; 4] {
     texels.iter().fold([SIDE, SIDE, 0, 0], |[left, top, right, bottom], &number| {
-        let (column, row) = (usize::from(number) % SIDE, usize::from(number) / SIDE);
+        let (column, row) = column_and_row(number);
         [left.min(column), top.min(row), right.max(column + 1), bottom.max(row + 1)]
     })
 }

@@ -4,8 +4,8 @@ use glam::DVec3;
 
 use super::cover::Cover;
 use super::plane::{Bound, Plane};
-use super::tile::{Place, SIDE, World};
-use crate::camera::{along_face, face_from_direction};
+use super::tile::{Place, SIDE, Texel, World};
+use crate::camera::{along_face, direction_from_face, face_from_direction};
 
 /// A layer shows a surface well enough if its texels there cover at most this many times the area of the new ones.
 const MAX_AREA_RATIO: f64 = 4.0;
@@ -21,10 +21,10 @@ pub struct Patch {
 }
 
 impl Patch {
-    /// Returns the surface of a plane that a texel shows in a direction whose outward component is 1.
-    pub fn new(center: DVec3, direction: DVec3, w: f64, plane: &Plane, face: u8, size: usize) -> Self {
-        let normal = plane.normal(face);
-        let point = direction / w;
+    /// Returns the surface that a texel of a layer shows at a position on a face.
+    pub fn new(center: DVec3, face: u8, (u, v): (f64, f64), texel: &Texel, size: usize) -> Self {
+        let (direction, normal) = (direction_from_face(face, u, v), texel.plane.normal(face));
+        let point = direction / texel.w;
         Self { point: center + point, normal, area: area(point, direction.length(), normal, size) }
     }
 
@@ -92,7 +92,7 @@ impl Layer {
 
     /// Returns whether one of the four texels around a point's direction shows the point within the error bound, and
     /// not much more coarsely than the patch.
-    pub fn shows(&self, _world: &World<'_>, patch: &Patch) -> bool {
+    pub fn shows(&self, patch: &Patch) -> bool {
         let to_point = patch.point - self.center;
         let (face, u, v) = face_from_direction(to_point);
         let outward = along_face(face, to_point).2;

@@ -98,8 +98,7 @@ pub fn bake(scene: &Scene, settings: &Settings, progress: &Progress) -> Result<I
     }
     let total: usize = probes.iter().map(Probe::texels).sum();
     loop {
-        let missing =
-            probes.iter().map(|probe| probe.missing(&world, &baked.layers, progress)).collect::<Result<Vec<_>>>()?;
+        let missing = probes.iter().map(|probe| probe.missing(&baked.layers, progress)).collect::<Result<Vec<_>>>()?;
         let share = missing.iter().sum::<usize>() as f64 / total as f64;
         baked.result.missing.push(share);
         if share <= settings.missing || baked.layers.len() >= settings.centers as usize {

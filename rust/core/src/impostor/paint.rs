@@ -4,7 +4,8 @@ use glam::DVec3;
 
 use super::cover::{Cover, rectangle};
 use super::plane::Plane;
-use super::tile::{Place, SIDE, Tile, World};
+use super::strips::cells;
+use super::tile::{Place, SIDE, Tile, WIDE, World, column_and_row};
 use crate::camera::direction_from_face;
 use crate::render::Surface;
 use crate::scene::srgb::srgb_from_linear;
@@ -12,7 +13,6 @@ use crate::trace::{Hit, Ray};
 
 /// Positions of a texel's samples.
 const SAMPLES: [(f64, f64); 4] = [(0.25, 0.25), (0.75, 0.25), (0.25, 0.75), (0.75, 0.75)];
-const WIDE: usize = SIDE + 2;
 
 /// A textured rectangle of a plane.
 #[derive(Clone, Debug)]
@@ -38,75 +38,68 @@ impl Quad {
 
     /// Returns whether some texels are transparent.
     pub fn is_masked(&self) -> bool {
-        self.texels.iter().any(|texel| texel[3] == 0)
+        self.texels.iter().any(|texel| texel[3] < u8::MAX)
     }
 }
 
-/// State of a texel of a quad.
-#[derive(Clone, Copy, PartialEq)]
-enum State {
-    Outside,
-    Grown,
-    Shown,
-}
+/// Colour, linear RGB, and share of a texel that its surface covers, 0 to 1.
+type Painted = ([f32; 3], f32);
 
 /// Paints a cover of a tile. The mask grows by a texel where the plane lies on or behind what is seen there, so that
 /// neighbouring quads overlap and silhouettes do not grow.
 pub fn paint(world: &World<'_>, center: DVec3, tile: &Tile, cover: &Cover) -> Quad {
-    let mut states = [State::Outside; WIDE * WIDE];
-    let slot = |column: isize, row: isize| (row + 1) as usize * WIDE + (column + 1) as usize;
-    for &texel in &cover.texels {
-        states[slot((usize::from(texel) % SIDE) as isize, (usize::from(texel) / SIDE) as isize)] = State::Shown;
+    let mut shown: Vec<Option<Painted>> = vec![None; WIDE * WIDE];
+    for (&texel, painted) in cover.texels.iter().zip(surfaces(world, center, tile, cover)) {
+        let (column, row) = column_and_row(texel);
+        shown[slot(column as isize, row as isize)] = Some(painted);
     }
     let [left, top, right, bottom] = rectangle(&cover.texels).map(|edge| edge as isize);
-    let mut grown = [left, top, right, bottom];
+    let is_behind = |column: isize, row: isize| {
+        let w = cover.plane.w(tile.edge_u(column as f64 + 0.5), tile.edge_v(row as f64 + 0.5));
+        w > 0.0 && w <= tile.around(column, row).w * (1.0 + 1e-6)
+    };
+    // Painted texels, those into which the mask grows, and the others with the mean colour.
+    let mean = average(shown.iter().flatten().map(|painted| painted.0)).unwrap_or_default();
+    let painted = |column: isize, row: isize| {
+        shown[slot(column, row)].map(|painted| (painted, true)).unwrap_or_else(|| {
+            let beside = average(around(column, row).filter_map(|(x, y)| shown[slot(x, y)]).map(|painted| painted.0));
+            let is_grown = beside.is_some() && is_behind(column, row);
+            ((beside.unwrap_or(mean), f32::from(u8::from(is_grown))), is_grown)
+        })
+    };
+    let mut rectangle = [left, top, right, bottom];
     for row in top - 1..=bottom {
         for column in left - 1..=right {
-            let at = slot(column, row);
-            let neighbours = (-1..=1).flat_map(|dy| (-1..=1).map(move |dx| (column + dx, row + dy)));
-            let is_beside = |(x, y): (isize, isize)| {
-                (left..right).contains(&x) && (top..bottom).contains(&y) && states[slot(x, y)] == State::Shown
-            };
-            let w = cover.plane.w(tile.edge_u(column as f64 + 0.5), tile.edge_v(row as f64 + 0.5));
-            if states[at] == State::Outside
-                && neighbours.into_iter().any(is_beside)
-                && w > 0.0
-                && w <= tile.around(column, row).w * (1.0 + 1e-6)
-            {
-                states[at] = State::Grown;
-                grown = [grown[0].min(column), grown[1].min(row), grown[2].max(column + 1), grown[3].max(row + 1)];
+            if painted(column, row).1 {
+                rectangle = [
+                    rectangle[0].min(column),
+                    rectangle[1].min(row),
+                    rectangle[2].max(column + 1),
+                    rectangle[3].max(row + 1),
+                ];
             }
         }
     }
-    let colors = colors(world, center, tile, cover);
-    let mut by_slot = vec![None; WIDE * WIDE];
-    for (&texel, color) in cover.texels.iter().zip(&colors) {
-        by_slot[slot((usize::from(texel) % SIDE) as isize, (usize::from(texel) / SIDE) as isize)] = Some(*color);
-    }
-    let mean = mean(colors.iter().map(|color| color.0));
-    let mut texels = Vec::with_capacity(((grown[2] - grown[0]) * (grown[3] - grown[1])) as usize);
-    for row in grown[1]..grown[3] {
-        for column in grown[0]..grown[2] {
-            let beside = (-1..=1).flat_map(|dy| (-1..=1).map(move |dx| (column + dx, row + dy)));
-            let beside = beside
-                .filter(|&(x, y)| (-1..=SIDE as isize).contains(&x) && (-1..=SIDE as isize).contains(&y))
-                .filter_map(|(x, y)| by_slot[slot(x, y)].map(|color: ([f32; 3], u8)| color.0));
-            let own = by_slot[slot(column, row)];
-            let color = own.map(|own| own.0).or_else(|| average(beside)).unwrap_or(mean);
-            let [r, g, b] = color.map(srgb_from_linear);
-            texels.push([r, g, b, match states[slot(column, row)] {
-                State::Outside => 0,
-                State::Grown => u8::MAX,
-                State::Shown => own.map_or(u8::MAX, |own| own.1),
-            }]);
-        }
-    }
-    let cells = super::strips::cells(&cover.plane, tile, grown);
-    Quad { plane: cover.plane, place: tile.place, rectangle: grown, cells, texels }
+    let [left, top, right, bottom] = rectangle;
+    let inside = (top..bottom).flat_map(|row| (left..right).map(move |column| (column, row)));
+    let texels = inside.map(|(column, row)| {
+        let (color, alpha) = painted(column, row).0;
+        let [r, g, b] = color.map(srgb_from_linear);
+        [r, g, b, (alpha * 255.0) as u8]
+    });
+    let cells = cells(&cover.plane, tile, rectangle);
+    Quad { plane: cover.plane, place: tile.place, rectangle, cells, texels: texels.collect() }
 }
 
-fn mean(colors: impl Iterator<Item = [f32; 3]>) -> [f32; 3] {
-    average(colors).unwrap_or_default()
+/// Returns the index of a texel in a tile with its apron.
+fn slot(column: isize, row: isize) -> usize {
+    (row + 1) as usize * WIDE + (column + 1) as usize
+}
+
+/// Returns a texel and its neighbours that the tile or its apron has.
+fn around(column: isize, row: isize) -> impl Iterator<Item = (isize, isize)> {
+    let beside = (-1..=1).flat_map(move |dy| (-1..=1).map(move |dx| (column + dx, row + dy)));
+    beside.filter(|&(x, y)| (-1..=SIDE as isize).contains(&x) && (-1..=SIDE as isize).contains(&y))
 }
 
 fn average(colors: impl Iterator<Item = [f32; 3]>) -> Option<[f32; 3]> {
@@ -115,64 +108,61 @@ fn average(colors: impl Iterator<Item = [f32; 3]>) -> Option<[f32; 3]> {
     (count > 0).then(|| sum.map(|x| x / count as f32))
 }
 
-/// Returns the linear RGB of a cover's texels: the mean of the samples that lie on its plane, or else the colour in the
-/// texel's centre. Texels inside a face without a texture take one sample.
-fn colors(world: &World<'_>, center: DVec3, tile: &Tile, cover: &Cover) -> Vec<([f32; 3], u8)> {
-    let width = |hit: &Hit, secant: f64| {
-        (2.0 / tile.size as f64 / secant.powf(1.5) * f64::from(hit.t)) as f32
+/// Returns the surfaces in a cover's texels: the mean colour of the samples that lie on its plane, or else the colour in
+/// the texel's centre, and the share of samples that do not see past the plane. Texels inside a face without a texture
+/// take one sample.
+fn surfaces(world: &World<'_>, center: DVec3, tile: &Tile, cover: &Cover) -> Vec<Painted> {
+    let secant = |x: f64, y: f64| direction_from_face(tile.place.face, tile.edge_u(x), tile.edge_v(y)).length();
+    // Width of a texel on a sphere at the distance of the hit.
+    let width = |hit: &Hit, secant: f64| (2.0 / tile.size as f64 / secant.powf(1.5) * f64::from(hit.t)) as f32;
+    let color = |ray: &Ray, hit: &Hit, width: f32| Surface::of_hit(world.scene, ray, hit).color(world.scene, width);
+    let positions = |texel: u16| {
+        let (column, row) = column_and_row(texel);
+        SAMPLES.map(|(dx, dy)| (column as f64 + dx, row as f64 + dy))
     };
-    let mut colors = Vec::with_capacity(cover.texels.len());
-    let mut rays = Vec::new();
-    let mut sampled = Vec::new();
-    for (n, &number) in cover.texels.iter().enumerate() {
-        let (column, row) = (usize::from(number) % SIDE, usize::from(number) / SIDE);
+    let mut surfaces = Vec::with_capacity(cover.texels.len());
+    let (mut rays, mut sampled) = (Vec::new(), Vec::new());
+    for (n, &texel) in cover.texels.iter().enumerate() {
+        let (column, row) = column_and_row(texel);
         let (x, y) = (column as f64 + 0.5, row as f64 + 0.5);
-        let ray = tile.ray(center, x, y);
-        let hit = tile.at(column, row).hit;
-        let secant = direction_from_face(tile.place.face, tile.edge_u(x), tile.edge_v(y)).length();
-        colors.push((Surface::of_hit(world.scene, &ray, &hit).color(world.scene, width(&hit, secant)), u8::MAX));
+        let (ray, hit) = (tile.ray(center, x, y), tile.at(column, row).hit);
+        surfaces.push((color(&ray, &hit, width(&hit, secant(x, y))), 1.0));
         if needs_samples(world, tile, column, row) {
             sampled.push(n);
-            rays.extend(SAMPLES.map(|(dx, dy)| tile.ray(center, column as f64 + dx, row as f64 + dy)));
+            rays.extend(positions(texel).map(|(x, y)| tile.ray(center, x, y)));
         }
     }
     let mut hits = vec![Hit::MISS; rays.len()];
     world.trace(&rays, true, &mut hits);
     for ((&n, rays), hits) in sampled.iter().zip(rays.chunks(SAMPLES.len())).zip(hits.chunks(SAMPLES.len())) {
-        let number = usize::from(cover.texels[n]);
-        let (column, row) = (number % SIDE, number / SIDE);
+        let number = cover.texels[n];
+        let (column, row) = column_and_row(number);
         let texel = tile.at(column, row);
         let allowed = (texel.greatest - texel.least).max(1e-3 * texel.w);
-        let on_plane = rays.iter().zip(hits).zip(SAMPLES).filter_map(|((ray, hit), (dx, dy))| {
-            let (u, v) = (tile.edge_u(column as f64 + dx), tile.edge_v(row as f64 + dy));
-            let secant = direction_from_face(tile.place.face, u, v).length();
-            let is_on_plane = !hit.is_miss() && (secant / f64::from(hit.t) - cover.plane.w(u, v)).abs() <= allowed;
-            let color = || Surface::of_hit(world.scene, ray, hit).color(world.scene, 0.5 * width(hit, secant));
-            is_on_plane.then(color)
-        });
-        if let Some(color) = average(on_plane) {
-            colors[n].0 = color;
+        let (mut beyond, mut colors) = (0, Vec::with_capacity(SAMPLES.len()));
+        for ((ray, hit), (x, y)) in rays.iter().zip(hits).zip(positions(number)) {
+            let secant = secant(x, y);
+            let w = if hit.is_miss() { 0.0 } else { secant / f64::from(hit.t) };
+            let off = w - cover.plane.w(tile.edge_u(x), tile.edge_v(y));
+            beyond += usize::from(off < -allowed);
+            if off.abs() <= allowed && !hit.is_miss() {
+                colors.push(color(ray, hit, 0.5 * width(hit, secant)));
+            }
         }
-        // Samples that see past the plane lie outside the surface's silhouette.
-        let is_beyond = |((hit, (dx, dy)), _): &((&Hit, (f64, f64)), ())| {
-            let (u, v) = (tile.edge_u(column as f64 + dx), tile.edge_v(row as f64 + dy));
-            let secant = direction_from_face(tile.place.face, u, v).length();
-            hit.is_miss() || secant / f64::from(hit.t) < cover.plane.w(u, v) - allowed
-        };
-        let beyond = hits.iter().zip(SAMPLES).zip([(); 4]).filter(is_beyond).count();
-        colors[n].1 = (u8::MAX as usize * (SAMPLES.len() - beyond) / SAMPLES.len()) as u8;
+        surfaces[n].0 = average(colors.into_iter()).unwrap_or(surfaces[n].0);
+        surfaces[n].1 = 1.0 - beyond as f32 / SAMPLES.len() as f32;
     }
-    colors
+    surfaces
 }
 
 /// Returns whether a texel's colour may vary: its neighbours show other faces, or its material has a texture.
 fn needs_samples(world: &World<'_>, tile: &Tile, column: usize, row: usize) -> bool {
     let hit = tile.at(column, row).hit;
     let mesh = &world.scene.instance(hit.instance).mesh;
-    let around = (-1..=1).flat_map(|dy| (-1..=1).map(move |dx| (column as isize + dx, row as isize + dy)));
+    let shows_other = |(x, y): (isize, isize)| {
+        let other = tile.around(x, y).hit;
+        (other.instance, other.face) != (hit.instance, hit.face)
+    };
     world.scene.material_of(mesh, hit.face).textures().next().is_some()
-        || around.into_iter().any(|(x, y)| {
-            let other = tile.around(x, y).hit;
-            (other.instance, other.face) != (hit.instance, hit.face)
-        })
+        || around(column as isize, row as isize).any(shows_other)
 }

@@ -37,11 +37,6 @@ impl Plane {
         let (right, down) = (direction_from_face(face, 1.0, 0.0) - axis, direction_from_face(face, 0.0, 1.0) - axis);
         (axis * a + right * b + down * c).normalize_or_zero()
     }
-
-    /// Returns the point of the plane at a position on the face, relative to the layer's centre.
-    pub fn point(&self, face: u8, u: f64, v: f64) -> DVec3 {
-        direction_from_face(face, u, v) / self.w(u, v)
-    }
 }
 
 /// Error bound of one layer. A point P that the layer's centre C sees at the distance t may be shown at another distance

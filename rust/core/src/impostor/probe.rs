@@ -52,12 +52,12 @@ impl Probe {
     }
 
     /// Returns the number of texels whose far surface no layer shows.
-    pub fn missing(&self, world: &World<'_>, layers: &[Layer], progress: &Progress) -> Result<usize> {
+    pub fn missing(&self, layers: &[Layer], progress: &Progress) -> Result<usize> {
         let count = |task: usize, distances: &[f32]| {
             let is_missing = |&(n, &distance): &(usize, &f32)| {
                 let direction = direction_from_texel((task * TASK + n) as u32, self.size).normalize();
                 let patch = Patch::of_point(self.position - direction * f64::from(distance));
-                distance < 0.0 && !layers.iter().any(|layer| layer.shows(world, &patch))
+                distance < 0.0 && !layers.iter().any(|layer| layer.shows(&patch))
             };
             progress.check().map(|()| distances.iter().enumerate().filter(is_missing).count())
         };

@@ -15,11 +15,19 @@ use crate::trace::{All, AlphaFilter, FaceHits, Hit, HitFilter, Ray, closest_hits
 pub const SIDE: usize = 64;
 /// Texels around a tile that are traced as well, for masks that grow.
 pub const APRON: usize = 1;
-const WIDE: usize = SIDE + 2 * APRON;
+/// Width of a tile with its apron, texels.
+pub const WIDE: usize = SIDE + 2 * APRON;
+/// Texels of the smallest group that a further layer keeps.
+const MIN_GROUP: usize = 3;
 /// Width of a block of neighbouring rays.
 const BLOCK: usize = 8;
 /// Cosine between ray and surface below which the surface's own plane is no guide to the depths around the texel.
 const MIN_COSINE: f64 = 1e-3;
+
+/// Returns column and row of a texel by its number, `row * SIDE + column`.
+pub fn column_and_row(texel: u16) -> (usize, usize) {
+    (usize::from(texel) % SIDE, usize::from(texel) / SIDE)
+}
 
 /// Filter for triangles that are far as a whole; all others are drawn as geometry.
 pub struct FarOnly<'a>(pub &'a Partition);
@@ -113,7 +121,7 @@ pub struct Tile {
 
 impl Tile {
     /// Traces a tile from a centre and chooses the texels to keep: far surfaces that no earlier layer shows and that
-    /// the centre sees or, with `probes`, that one of these sees behind near surfaces.
+    /// the centre or a probe sees.
     pub fn trace(
         world: &World<'_>,
         center: DVec3,
@@ -123,53 +131,51 @@ impl Tile {
         probes: &[Probe],
     ) -> Self {
         let mut tile = Self { place, size, texels: vec![Texel::SKY; WIDE * WIDE] };
-        let bound = world.bound(center);
-        let (mut rays, mut slots) = (Vec::with_capacity(BLOCK * BLOCK), Vec::with_capacity(BLOCK * BLOCK));
-        let mut hits = [Hit::MISS; BLOCK * BLOCK];
-        for block in 0..WIDE.div_ceil(BLOCK).pow(2) {
-            let (x, y) = (block % WIDE.div_ceil(BLOCK) * BLOCK, block / WIDE.div_ceil(BLOCK) * BLOCK);
-            (rays.clear(), slots.clear());
-            for row in y..(y + BLOCK).min(WIDE) {
-                for column in x..(x + BLOCK).min(WIDE) {
-                    rays.push(tile.ray(center, column as f64 - 0.5, row as f64 - 0.5));
-                    slots.push(row * WIDE + column);
-                }
-            }
-            world.trace(&rays, false, &mut hits[..rays.len()]);
-            let mut hidden = Vec::new();
-            for (n, hit) in hits[..rays.len()].iter().enumerate() {
-                if world.is_far(hit) {
-                    tile.set(world, &bound, center, slots[n], &rays[n], *hit);
-                    tile.texels[slots[n]].kept = true;
-                } else if !hit.is_miss() {
-                    let (u, v) = tile.position(slots[n]);
-                    tile.texels[slots[n]].w = direction_from_face(place.face, u, v).length() / f64::from(hit.t);
-                    hidden.push(n);
-                }
-            }
-            if !probes.is_empty() && !hidden.is_empty() {
-                let behind: Vec<Ray> = hidden.iter().map(|&n| rays[n]).collect();
-                world.trace(&behind, true, &mut hits[..behind.len()]);
-                for ((&n, ray), hit) in hidden.iter().zip(&behind).zip(hits) {
-                    if !hit.is_miss() {
-                        let point = ray.origin.as_dvec3() + ray.direction.as_dvec3() * f64::from(hit.t);
-                        if probes.iter().any(|probe| probe.sees(point)) {
-                            tile.set(world, &bound, center, slots[n], ray, hit);
-                            tile.texels[slots[n]].kept = true;
-                        }
-                    }
-                }
-            }
+        let across = WIDE.div_ceil(BLOCK);
+        for block in 0..across * across {
+            tile.trace_block(world, center, (block % across * BLOCK, block / across * BLOCK), probes);
         }
-        tile.drop_shown(world, center, earlier);
+        tile.drop_shown(center, earlier);
         if !earlier.is_empty() {
-            tile.drop_specks(super::cover::par(3) as usize);
+            tile.drop_specks();
         }
         tile
     }
 
-    /// Drops connected groups of fewer kept texels than a number.
-    fn drop_specks(&mut self, least: usize) {
+    /// Traces the texels of a block from its first column and row.
+    fn trace_block(&mut self, world: &World<'_>, center: DVec3, (x, y): (usize, usize), probes: &[Probe]) {
+        let bound = world.bound(center);
+        let (mut rays, mut slots) = (Vec::with_capacity(BLOCK * BLOCK), Vec::with_capacity(BLOCK * BLOCK));
+        for row in y..(y + BLOCK).min(WIDE) {
+            for column in x..(x + BLOCK).min(WIDE) {
+                rays.push(self.ray(center, column as f64 - 0.5, row as f64 - 0.5));
+                slots.push(row * WIDE + column);
+            }
+        }
+        let mut hits = [Hit::MISS; BLOCK * BLOCK];
+        world.trace(&rays, false, &mut hits[..rays.len()]);
+        let (mut behind, mut hidden) = (Vec::new(), Vec::new());
+        for ((&slot, ray), hit) in slots.iter().zip(&rays).zip(hits) {
+            if world.is_far(&hit) {
+                self.set(world, &bound, center, slot, ray, hit);
+            } else if !hit.is_miss() {
+                let (u, v) = self.position(slot);
+                self.texels[slot].w = direction_from_face(self.place.face, u, v).length() / f64::from(hit.t);
+                behind.push(*ray);
+                hidden.push(slot);
+            }
+        }
+        world.trace(&behind, true, &mut hits[..behind.len()]);
+        for ((&slot, ray), hit) in hidden.iter().zip(&behind).zip(hits) {
+            let point = || ray.origin.as_dvec3() + ray.direction.as_dvec3() * f64::from(hit.t);
+            if !hit.is_miss() && probes.iter().any(|probe| probe.sees(point())) {
+                self.set(world, &bound, center, slot, ray, hit);
+            }
+        }
+    }
+
+    /// Drops connected groups of fewer than `MIN_GROUP` kept texels, whose quads cost more than they show.
+    fn drop_specks(&mut self) {
         let mut seen = vec![false; WIDE * WIDE];
         for first in 0..WIDE * WIDE {
             if seen[first] || !self.texels[first].kept {
@@ -190,38 +196,28 @@ impl Tile {
                     }
                 }
             }
-            if group.len() < least {
+            if group.len() < MIN_GROUP {
                 group.iter().for_each(|&slot| self.texels[slot].kept = false);
             }
         }
     }
 
     /// Drops kept texels outside the face or tile, and those that earlier layers show.
-    fn drop_shown(&mut self, world: &World<'_>, center: DVec3, earlier: &[Layer]) {
+    fn drop_shown(&mut self, center: DVec3, earlier: &[Layer]) {
+        let is_inside = |at: usize, first: usize| (APRON..SIDE + APRON).contains(&at) && first + at - APRON < self.size;
         for slot in 0..self.texels.len() {
-            if !self.texels[slot].kept {
-                continue;
-            }
-            let (column, row) = (slot % WIDE, slot / WIDE);
-            let is_inside =
-                |at: usize, first: usize| (APRON..SIDE + APRON).contains(&at) && first + at - APRON < self.size;
-            let is_inside = is_inside(column, self.place.left) && is_inside(row, self.place.top);
-            self.texels[slot].kept = is_inside && {
-                let (u, v) = self.position(slot);
-                let direction = direction_from_face(self.place.face, u, v);
-                let patch = Patch::new(
-                    center,
-                    direction,
-                    self.texels[slot].w,
-                    &self.texels[slot].plane,
-                    self.place.face,
-                    self.size,
-                );
-                !earlier.iter().any(|layer| layer.shows(world, &patch))
-            };
+            let texel = &self.texels[slot];
+            let is_kept =
+                texel.kept && is_inside(slot % WIDE, self.place.left) && is_inside(slot / WIDE, self.place.top) && {
+                    let (u, v) = self.position(slot);
+                    let patch = Patch::new(center, self.place.face, (u, v), texel, self.size);
+                    !earlier.iter().any(|layer| layer.shows(&patch))
+                };
+            self.texels[slot].kept = is_kept;
         }
     }
 
+    /// Keeps the far surface in a texel.
     fn set(&mut self, world: &World<'_>, bound: &Bound, center: DVec3, slot: usize, ray: &Ray, hit: Hit) {
         let (u, v) = self.position(slot);
         let direction = direction_from_face(self.place.face, u, v);
@@ -238,7 +234,7 @@ impl Tile {
         let [nearest, farthest] = bound.distances(unit, secant / w);
         // A plane's value at its own texel may be off by its rounding.
         let (least, greatest) = (secant / farthest * (1.0 - 1e-9), secant / nearest * (1.0 + 1e-9));
-        self.texels[slot] = Texel { hit, plane, w, least, greatest, kept: false };
+        self.texels[slot] = Texel { hit, plane, w, least, greatest, kept: true };
     }
 
     fn position(&self, slot: usize) -> (f64, f64) {
