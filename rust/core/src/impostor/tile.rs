@@ -120,6 +120,11 @@ pub struct Tile {
 }
 
 impl Tile {
+    /// Creates a tile that shows nothing.
+    pub fn blank(place: Place, size: usize) -> Self {
+        Self { place, size, texels: vec![Texel::SKY; WIDE * WIDE] }
+    }
+
     /// Traces a tile from a centre and chooses the texels to keep: far surfaces that no earlier layer shows and that
     /// the centre or a probe sees.
     pub fn trace(
@@ -130,7 +135,7 @@ impl Tile {
         earlier: &[Layer],
         probes: &[Probe],
     ) -> Self {
-        let mut tile = Self { place, size, texels: vec![Texel::SKY; WIDE * WIDE] };
+        let mut tile = Self::blank(place, size);
         let across = WIDE.div_ceil(BLOCK);
         for block in 0..across * across {
             tile.trace_block(world, center, (block % across * BLOCK, block / across * BLOCK), probes);
