@@ -1,6 +1,8 @@
 //! Covering a tile's texels by as few planes as pay: a quadtree whose nodes choose between a few planes and their
 //! children, by the number of quads and of texels.
 
+use glam::{DMat3, DVec3};
+
 use super::plane::Plane;
 use super::strips::cells;
 use super::tile::{APRON, SIDE, Texel, Tile, column_and_row};
@@ -104,7 +106,7 @@ fn outer_area([left, top, right, bottom]: [usize; 4]) -> f64 {
 }
 
 fn solve(tile: &Tile, node: Node) -> (f64, Vec<Cover>) {
-    let texels = wanted(tile, node);
+    let texels = wanted_texels(tile, node);
     if texels.is_empty() {
         return (0.0, Vec::new());
     }
@@ -134,11 +136,11 @@ fn area(node: Node) -> f64 {
     (node.side * node.side) as f64
 }
 
-fn wanted(tile: &Tile, node: Node) -> Vec<u16> {
+fn wanted_texels(tile: &Tile, node: Node) -> Vec<u16> {
     let mut texels = Vec::new();
     for row in node.top..node.top + node.side {
         for column in node.left..node.left + node.side {
-            if tile.at(column, row).is_wanted() {
+            if tile.texel_inside(column, row).is_wanted() {
                 texels.push((row * SIDE + column) as u16);
             }
         }
@@ -163,13 +165,13 @@ fn planes(tile: &Tile, node: Node, mut texels: Vec<u16>, limit: usize) -> Option
 
 fn tile_texel(tile: &Tile, number: u16) -> &Texel {
     let (column, row) = column_and_row(number);
-    tile.at(column, row)
+    tile.texel_inside(column, row)
 }
 
 #[inline]
 fn shows(tile: &Tile, plane: &Plane, number: u16) -> bool {
     let (column, row) = column_and_row(number);
-    let texel = tile.at(column, row);
+    let texel = tile.texel_inside(column, row);
     let w = plane.w(tile.u(column), tile.v(row));
     texel.least <= w && w <= texel.greatest
 }
@@ -202,45 +204,23 @@ fn is_tame(tile: &Tile, [left, top, right, bottom]: [usize; 4], plane: &Plane) -
     low > 0.0 && high <= MAX_RATIO * low
 }
 
-/// Returns the plane of least squares through the depths of texels, weighted by the width of their intervals.
+/// Returns the plane of least squares through the depths of texels, weighted by the width of their intervals; `None` if
+/// they lie on a line.
 fn fit(tile: &Tile, texels: &[u16]) -> Option<Plane> {
     if texels.len() < 3 {
         return None;
     }
-    let mut sums = [[0.0; 4]; 3];
+    let (mut products, mut sum) = (DMat3::ZERO, DVec3::ZERO);
     for &number in texels {
         let (column, row) = column_and_row(number);
-        let texel = tile.at(column, row);
+        let texel = tile.texel_inside(column, row);
         let weight = 1.0 / (texel.greatest - texel.least).max(1e-12).powi(2);
-        let terms = [1.0, tile.u(column), tile.v(row), texel.w];
-        for (i, sums) in sums.iter_mut().enumerate() {
-            for (sum, term) in sums.iter_mut().zip(terms) {
-                *sum += weight * terms[i] * term;
-            }
-        }
+        let terms = DVec3::new(1.0, tile.u(column), tile.v(row));
+        products += DMat3::from_cols(terms * terms.x, terms * terms.y, terms * terms.z) * weight;
+        sum += terms * texel.w * weight;
     }
-    solve_three(sums).map(Plane)
-}
-
-/// Solves three linear equations by elimination with pivots; `None` if they are dependent.
-fn solve_three(mut rows: [[f64; 4]; 3]) -> Option<[f64; 3]> {
-    for i in 0..3 {
-        let pivot = (i..3).max_by(|&a, &b| rows[a][i].abs().total_cmp(&rows[b][i].abs()))?;
-        rows.swap(i, pivot);
-        if rows[i][i].abs() < 1e-30 {
-            return None;
-        }
-        for other in 0..3 {
-            if other != i {
-                let factor = rows[other][i] / rows[i][i];
-                for k in i..4 {
-                    rows[other][k] -= factor * rows[i][k];
-                }
-            }
-        }
-    }
-    let solution = [0, 1, 2].map(|i| rows[i][3] / rows[i][i]);
-    solution.iter().all(|x| x.is_finite()).then_some(solution)
+    let plane = products.inverse() * sum;
+    plane.is_finite().then(|| Plane(plane.to_array()))
 }
 
 fn cost_of(tile: &Tile, cover: &Cover) -> f64 {

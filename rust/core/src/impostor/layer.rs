@@ -48,7 +48,7 @@ pub struct LayerTile {
     planes: Vec<Plane>,
 }
 
-/// What a layer shows: for each texel the plane of its quad.
+/// Planes of a layer's quads by texel.
 pub struct Layer {
     center: DVec3,
     bound: Bound,

@@ -56,13 +56,14 @@ pub fn paint(world: &World<'_>, center: DVec3, tile: &Tile, cover: &Cover) -> Qu
     let [left, top, right, bottom] = rectangle(&cover.texels).map(|edge| edge as isize);
     let is_behind = |column: isize, row: isize| {
         let w = cover.plane.w(tile.edge_u(column as f64 + 0.5), tile.edge_v(row as f64 + 0.5));
-        w > 0.0 && w <= tile.around(column, row).w * (1.0 + 1e-6)
+        w > 0.0 && w <= tile.texel(column, row).w * (1.0 + 1e-6)
     };
     // Painted texels, those into which the mask grows, and the others with the mean colour.
     let mean = average(shown.iter().flatten().map(|painted| painted.0)).unwrap_or_default();
     let painted = |column: isize, row: isize| {
         shown[slot(column, row)].map(|painted| (painted, true)).unwrap_or_else(|| {
-            let beside = average(around(column, row).filter_map(|(x, y)| shown[slot(x, y)]).map(|painted| painted.0));
+            let beside =
+                average(neighbourhood(column, row).filter_map(|(x, y)| shown[slot(x, y)]).map(|painted| painted.0));
             let is_grown = beside.is_some() && is_behind(column, row);
             ((beside.unwrap_or(mean), f32::from(u8::from(is_grown))), is_grown)
         })
@@ -97,7 +98,7 @@ fn slot(column: isize, row: isize) -> usize {
 }
 
 /// Returns a texel and its neighbours that the tile or its apron has.
-fn around(column: isize, row: isize) -> impl Iterator<Item = (isize, isize)> {
+fn neighbourhood(column: isize, row: isize) -> impl Iterator<Item = (isize, isize)> {
     let beside = (-1..=1).flat_map(move |dy| (-1..=1).map(move |dx| (column + dx, row + dy)));
     beside.filter(|&(x, y)| (-1..=SIDE as isize).contains(&x) && (-1..=SIDE as isize).contains(&y))
 }
@@ -125,7 +126,7 @@ fn surfaces(world: &World<'_>, center: DVec3, tile: &Tile, cover: &Cover) -> Vec
     for (n, &texel) in cover.texels.iter().enumerate() {
         let (column, row) = column_and_row(texel);
         let (x, y) = (column as f64 + 0.5, row as f64 + 0.5);
-        let (ray, hit) = (tile.ray(center, x, y), tile.at(column, row).hit);
+        let (ray, hit) = (tile.ray(center, x, y), tile.texel_inside(column, row).hit);
         surfaces.push((color(&ray, &hit, width(&hit, secant(x, y))), 1.0));
         if needs_samples(world, tile, column, row) {
             sampled.push(n);
@@ -137,7 +138,7 @@ fn surfaces(world: &World<'_>, center: DVec3, tile: &Tile, cover: &Cover) -> Vec
     for ((&n, rays), hits) in sampled.iter().zip(rays.chunks(SAMPLES.len())).zip(hits.chunks(SAMPLES.len())) {
         let number = cover.texels[n];
         let (column, row) = column_and_row(number);
-        let texel = tile.at(column, row);
+        let texel = tile.texel_inside(column, row);
         let allowed = (texel.greatest - texel.least).max(1e-3 * texel.w);
         let (mut beyond, mut colors) = (0, Vec::with_capacity(SAMPLES.len()));
         for ((ray, hit), (x, y)) in rays.iter().zip(hits).zip(positions(number)) {
@@ -157,12 +158,12 @@ fn surfaces(world: &World<'_>, center: DVec3, tile: &Tile, cover: &Cover) -> Vec
 
 /// Returns whether a texel's colour may vary: its neighbours show other faces, or its material has a texture.
 fn needs_samples(world: &World<'_>, tile: &Tile, column: usize, row: usize) -> bool {
-    let hit = tile.at(column, row).hit;
+    let hit = tile.texel_inside(column, row).hit;
     let mesh = &world.scene.instance(hit.instance).mesh;
     let shows_other = |(x, y): (isize, isize)| {
-        let other = tile.around(x, y).hit;
+        let other = tile.texel(x, y).hit;
         (other.instance, other.face) != (hit.instance, hit.face)
     };
     world.scene.material_of(mesh, hit.face).textures().next().is_some()
-        || around(column as isize, row as isize).any(shows_other)
+        || neighbourhood(column as isize, row as isize).any(shows_other)
 }

@@ -123,7 +123,7 @@ proptest! {
                 let (column, row) = column_and_row(texel);
                 let (u, v) = (tile.u(column), tile.v(row));
                 let at = direction_from_face(place.face, u, v);
-                let points = [at / tile.at(column, row).w, at / cover.plane.w(u, v)].map(|point| center + point);
+                let points = [at / tile.texel_inside(column, row).w, at / cover.plane.w(u, v)].map(|point| center + point);
                 for user in &users {
                     let [a, b] = points.map(|point| point - *user);
                     prop_assert!(a.cross(b).length().atan2(a.dot(b)) <= ANGLE * (1.0 + 1e-5));

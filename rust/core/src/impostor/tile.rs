@@ -255,13 +255,13 @@ impl Tile {
 
     /// Returns a texel of the tile; its apron has column and row −1 and `SIDE`.
     #[inline]
-    pub fn around(&self, column: isize, row: isize) -> &Texel {
+    pub fn texel(&self, column: isize, row: isize) -> &Texel {
         &self.texels[(row + 1) as usize * WIDE + (column + 1) as usize]
     }
 
     /// Returns a texel of the tile.
     #[inline]
-    pub fn at(&self, column: usize, row: usize) -> &Texel {
+    pub fn texel_inside(&self, column: usize, row: usize) -> &Texel {
         &self.texels[(row + APRON) * WIDE + column + APRON]
     }
 
