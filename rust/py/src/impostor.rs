@@ -24,7 +24,8 @@ pub struct BakeArguments {
 
 /// Textured quads of the far part: vertices (V, 3) relative to the centre, texture coordinates (V, 2), faces (F, 3),
 /// the quad of each face (F,), the mask of each quad (Q,), and the atlas (H, W, 4), by name; with the layers' centres
-/// and numbers of quads, and the shares of missing pixels.
+/// and numbers of quads, the shares of missing pixels, and the numbers of the near static triangles that rays from the
+/// region hit.
 #[pyfunction]
 #[pyo3(signature = (scene, settings, *, report=None))]
 pub fn bake_impostors<'py>(
@@ -50,5 +51,6 @@ pub fn bake_impostors<'py>(
     result.set_item("atlas", PyArray1::from_vec(py, mesh.texels.into_flattened()).reshape([height, width, 4])?)?;
     result.set_item("layers", baked.layers)?;
     result.set_item("missing", baked.missing)?;
+    result.set_item("seen", PyArray1::from_vec(py, baked.seen))?;
     Ok(result)
 }

@@ -30,7 +30,7 @@ pub use atlas::Mesh;
 use layer::{Layer, LayerTile, place, tiles_across};
 use paint::Quad;
 use probe::Probe;
-use tile::{SIDE, Tile, World};
+use tile::{SIDE, Seen, Tile, World};
 
 /// Settings of a bake.
 #[derive(Clone, Copy, Debug)]
@@ -60,6 +60,8 @@ pub struct Impostors {
     pub layers: Vec<([f64; 3], usize)>,
     /// Share of pixels missing before each layer was chosen, and at the end.
     pub missing: Vec<f64>,
+    /// Numbers of the static triangles that are not far as a whole and that a ray from the region hit, ascending.
+    pub seen: Vec<i64>,
 }
 
 /// Directions of the first centres around O.
@@ -78,7 +80,8 @@ pub fn bake(scene: &Scene, settings: &Settings, progress: &Progress) -> Result<I
     let partition = Partition::new(scene, center, 0.0, r2, progress)?;
     let still = without_moving(scene, progress)?;
     let eye = center - scene.origin;
-    let world = World { scene: &still, partition: &partition, eye, reach, angle: settings.angle };
+    let world =
+        World { scene: &still, partition: &partition, eye, reach, angle: settings.angle, seen: Seen::new(&still)? };
     let around = |radius: f64, n: usize, count: usize, height: f64| {
         let (sin, cos) = (std::f64::consts::TAU * n as f64 / count as f64).sin_cos();
         eye + DVec3::new(radius * cos, height, radius * sin)
@@ -108,6 +111,7 @@ pub fn bake(scene: &Scene, settings: &Settings, progress: &Progress) -> Result<I
         let worst = (0..probes.len()).max_by_key(|&n| (missing[n], std::cmp::Reverse(n))).unwrap_or_default();
         baked.add(&world, probes[worst].position, size as usize, &probes, progress)?;
     }
+    baked.result.seen = world.seen.numbers().collect();
     baked.result.mesh = atlas::build(&baked.quads, size as usize)?;
     Ok(baked.result)
 }

@@ -37,7 +37,7 @@ impl Probe {
             let mut hits = vec![Hit::MISS; rays.len()];
             world.trace(&rays, false, &mut hits);
             for (distance, hit) in distances.iter_mut().zip(&hits) {
-                *distance = if world.is_far(hit) { -hit.t } else { hit.t };
+                *distance = if world.note(hit) { -hit.t } else { hit.t };
             }
             progress.check()
         })?;

@@ -8,7 +8,7 @@ use super::layer::{place, tiles_across};
 use super::paint::Quad;
 use super::plane::{Bound, Plane};
 use super::strips::cells;
-use super::tile::{Place, SIDE, Tile, World, column_and_row};
+use super::tile::{Place, SIDE, Seen, Tile, World, column_and_row};
 use super::{Impostors, Settings, atlas, bake};
 use crate::base::{FaceMap, Progress};
 use crate::camera::{direction_from_face, face_from_direction};
@@ -53,6 +53,8 @@ fn in_ball() -> impl Strategy<Value = DVec3> {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
     /// By definition: the angle between the directions in which a user sees both points.
     #[test]
     fn no_user_sees_a_shown_point_farther_off_than_the_angle(
@@ -112,7 +114,7 @@ proptest! {
         let (scene, size) = (scene(&triangles), 128);
         scene.build_to_shade(&Progress::new()).unwrap();
         let partition = Partition::new(&scene, DVec3::ZERO, 0.0, R2, &Progress::new()).unwrap();
-        let world = World { scene: &scene, partition: &partition, eye: DVec3::ZERO, reach: REACH, angle: ANGLE };
+        let world = World { scene: &scene, partition: &partition, eye: DVec3::ZERO, reach: REACH, angle: ANGLE, seen: Seen::new(&scene).unwrap() };
         let place = place(number, size);
         prop_assert_eq!(tiles_across(size).pow(2) * 6, 24);
         let tile = Tile::trace(&world, center, size, place, &[], &[]);
@@ -141,11 +143,13 @@ proptest! {
 
 #[test]
 fn walls_hidden_from_the_center_are_shown() {
-    // A near wall hides the far one from O; users beside O see past both ends.
-    let triangles = [wall([-5.0, 5.0], [0.0, 6.0], -8.0), wall([-12.0, 12.0], [0.0, 6.0], -30.0)].concat();
+    // A near wall hides the far one from O; users beside O see past both ends. The third wall is seen by nobody.
+    let walls = [([-5.0, 5.0], -8.0), ([-12.0, 12.0], -30.0), ([-1.0, 1.0], -10.0)];
+    let triangles = walls.map(|(x, z)| wall(x, [0.0, 6.0], z)).concat();
     let found = baked(&triangles, 256);
     assert!(found.missing.last().unwrap() <= &5e-4, "{:?}", found.missing);
     assert!(found.mesh.positions.iter().all(|p| p[2] < -25.0));
+    assert_eq!(found.seen, [0, 1]);
     // The far wall is two planes at most in each tile of each layer, not one a texel.
     assert!(found.mesh.faces.len() < 200, "{}", found.mesh.faces.len());
 }

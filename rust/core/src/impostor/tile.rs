@@ -1,10 +1,14 @@
 //! Square tiles of a layer's cube faces: what the layer's centre sees in each texel, and which texels the layer keeps.
 
+use std::sync::atomic::{AtomicU64, Ordering};
+
 use glam::DVec3;
 
 use super::layer::{Layer, Patch};
 use super::plane::{Bound, Plane};
 use super::probe::Probe;
+use crate::base::Result;
+use crate::base::memory::try_with_capacity;
 use crate::camera::direction_from_face;
 use crate::partition::{Partition, Zone};
 use crate::render::Facet;
@@ -50,6 +54,34 @@ pub struct World<'a> {
     pub reach: f64,
     /// Greatest error, radians.
     pub angle: f64,
+    /// Near triangles that a ray from the region hit.
+    pub seen: Seen,
+}
+
+/// Set of triangles by number, filled by several threads.
+pub struct Seen(Vec<AtomicU64>);
+
+impl Seen {
+    /// Creates an empty set of the triangles of a scene.
+    pub fn new(scene: &Scene) -> Result<Self> {
+        let words = (scene.triangle_count() as usize).div_ceil(64);
+        let mut bits = try_with_capacity(words)?;
+        bits.resize_with(words, AtomicU64::default);
+        Ok(Self(bits))
+    }
+
+    /// Returns the numbers in ascending order.
+    pub fn numbers(&self) -> impl Iterator<Item = i64> {
+        let is_set = |n: &usize| self.0[n / 64].load(Ordering::Relaxed) >> (n % 64) & 1 == 1;
+        (0..64 * self.0.len()).filter(is_set).map(|n| n as i64)
+    }
+
+    fn insert(&self, number: i64) {
+        let (word, bit) = (&self.0[number as usize / 64], 1 << (number % 64));
+        if word.load(Ordering::Relaxed) & bit == 0 {
+            word.fetch_or(bit, Ordering::Relaxed);
+        }
+    }
 }
 
 impl World<'_> {
@@ -65,6 +97,15 @@ impl World<'_> {
     /// Returns whether a hit is on a triangle that is far as a whole.
     pub fn is_far(&self, hit: &Hit) -> bool {
         !hit.is_miss() && self.partition.zone(hit.instance, hit.face) == Zone::Far
+    }
+
+    /// Returns whether a hit of a ray from the region is far, and notes the triangle as seen if it is near.
+    pub fn note(&self, hit: &Hit) -> bool {
+        let is_far = self.is_far(hit);
+        if !is_far && !hit.is_miss() {
+            self.seen.insert(self.scene.triangle_offset(hit.instance) + i64::from(hit.face));
+        }
+        is_far
     }
 
     /// Returns the bound of a layer baked from a centre.
@@ -161,7 +202,7 @@ impl Tile {
         world.trace(&rays, false, &mut hits[..rays.len()]);
         let (mut behind, mut hidden) = (Vec::new(), Vec::new());
         for ((&slot, ray), hit) in slots.iter().zip(&rays).zip(hits) {
-            if world.is_far(&hit) {
+            if world.note(&hit) {
                 self.set(world, &bound, center, slot, ray, hit);
             } else if !hit.is_miss() {
                 let (u, v) = self.position(slot);
