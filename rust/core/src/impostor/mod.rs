@@ -67,7 +67,7 @@ pub struct Impostors {
 /// Directions of the first centres around O.
 const ROUND: usize = 6;
 /// Fraction of the layers' width that probes' maps have.
-const PROBE_SIZE: u32 = 8;
+const PROBE_SIZE: u32 = 4;
 
 /// Bakes the far part of a scene.
 pub fn bake(scene: &Scene, settings: &Settings, progress: &Progress) -> Result<Impostors> {
