@@ -20,6 +20,7 @@ pub mod morph;
 pub mod bend;
 pub mod tessellate;
 pub mod render;
+pub mod impostor;
 pub mod stereo;
 pub mod export;
 pub mod exr;

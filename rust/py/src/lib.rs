@@ -12,6 +12,7 @@ mod partition;
 mod morph;
 mod tessellate;
 mod render;
+mod impostor;
 mod stereo;
 mod export;
 mod gpu;
@@ -45,6 +46,7 @@ mod _core {
         gpu::compute::{gpu_cube_lookup, gpu_discontinuity, gpu_morph, gpu_similarity},
         gpu::device::{GpuDevice, gpu_adapters, gpu_close, gpu_forked, gpu_is_hardware},
         gpu::frame::{GpuFrame, GpuJob, gpu_keep},
+        impostor::bake_impostors,
         lens::{RadialLens, corrected_solid_angles, warp, warp_mesh},
         lod::select::{check_weights, select_levels, spend_triangles},
         lod::simplify::{carry, collapse, first_alike, fit_4pl, pieces},

@@ -81,7 +81,7 @@ pub fn bake(scene: &Scene, settings: &Bake, progress: &Progress) -> Result<Frame
 }
 
 /// Returns the scene without its moving instances, built.
-pub(super) fn without_moving(scene: &Scene, progress: &Progress) -> Result<Scene> {
+pub(crate) fn without_moving(scene: &Scene, progress: &Progress) -> Result<Scene> {
     let static_scene = Scene { moving: Default::default(), ..scene.clone() };
     static_scene.build_to_shade(progress)?;
     Ok(static_scene)

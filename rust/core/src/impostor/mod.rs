@@ -1,0 +1,152 @@
+//! Impostors: the far part of a scene as textured quads in world space, baked from several centres, so that it keeps
+//! its parallax for users within a region.
+//!
+//! Each centre adds a layer: the texels of a cube map that no earlier layer shows. Quads are pieces of planes, each
+//! chosen so that no user in the region sees a texel farther from its place than a given angle.
+//!
+//! Related: Seurat (Lall et al., 2018), QUASAR (2025), layered meshes (Broxton et al., 2020).
+
+mod atlas;
+mod cover;
+mod layer;
+mod paint;
+mod plane;
+mod probe;
+mod strips;
+#[cfg(test)]
+mod tests;
+mod tile;
+
+use glam::DVec3;
+use rayon::prelude::*;
+
+use crate::base::{Progress, Result, ensure};
+use crate::cubemap::MAX_SIZE;
+use crate::partition::Partition;
+use crate::render::bake::without_moving;
+use crate::scene::Scene;
+
+pub use atlas::Mesh;
+use layer::{Layer, LayerTile, place, tiles_across};
+use paint::Quad;
+use probe::Probe;
+use tile::{SIDE, Seen, Tile, World};
+
+/// Settings of a bake.
+#[derive(Clone, Copy, Debug)]
+pub struct Settings {
+    /// World position of the middle O of the users' region.
+    pub center: DVec3,
+    /// Radius of the users' region about O, metres: a sphere.
+    pub reach: f64,
+    /// Radius, metres, of the cylinder about the vertical axis through O; triangles that reach into it are no impostors.
+    pub r2: f64,
+    /// Width of a face of each layer's cube map, texels.
+    pub size: u32,
+    /// Greatest angle, radians, by which a user sees a texel's centre off its place.
+    pub angle: f64,
+    /// Greatest number of centres.
+    pub centers: u32,
+    /// Share of the probes' pixels that may be missing.
+    pub missing: f64,
+}
+
+/// A baked far part and its measures.
+#[derive(Debug, Default)]
+pub struct Impostors {
+    /// The quads as textured triangles relative to O.
+    pub mesh: Mesh,
+    /// Centre of each layer relative to O, and its number of quads.
+    pub layers: Vec<([f64; 3], usize)>,
+    /// Share of pixels missing before each layer was chosen, and at the end.
+    pub missing: Vec<f64>,
+    /// Numbers of the static triangles that are not far as a whole and that a ray from the region hit, ascending.
+    pub seen: Vec<i64>,
+}
+
+/// Directions of the first centres around O.
+const ROUND: usize = 6;
+/// Fraction of the layers' width that probes' maps have.
+const PROBE_SIZE: u32 = 4;
+
+/// Bakes the far part of a scene.
+pub fn bake(scene: &Scene, settings: &Settings, progress: &Progress) -> Result<Impostors> {
+    let Settings { center, reach, r2, size, .. } = *settings;
+    ensure!((64..=MAX_SIZE / 2).contains(&size), "face_size", format!("64 to {} texels", MAX_SIZE / 2), size);
+    ensure!(reach.is_finite() && reach > 0.0, "reach", "a finite radius above 0", reach);
+    ensure!(r2.is_finite() && r2 > reach, "r2", format!("a finite radius greater than reach = {reach}"), r2);
+    let is_angle = settings.angle > 0.0 && settings.angle < 0.5;
+    ensure!(is_angle, "angle", "an angle above 0 and below 0.5 radians", settings.angle);
+    let partition = Partition::new(scene, center, 0.0, r2, progress)?;
+    let still = without_moving(scene, progress)?;
+    let eye = center - scene.origin;
+    let world =
+        World { scene: &still, partition: &partition, eye, reach, angle: settings.angle, seen: Seen::new(&still)? };
+    let around = |radius: f64, n: usize, count: usize, height: f64| {
+        let (sin, cos) = (std::f64::consts::TAU * n as f64 / count as f64).sin_cos();
+        eye + DVec3::new(radius * cos, height, radius * sin)
+    };
+    let mut places = vec![eye];
+    for height in [0.0, 0.5f64.min(0.5 * reach), -0.5f64.max(-0.5 * reach)] {
+        let radius = (reach * reach - height * height).sqrt();
+        places.extend((0..12).map(|n| around(radius, n, 12, height)));
+        places.extend((0..6).map(|n| around(0.5 * radius, n, 6, height)));
+    }
+    let width = (size / PROBE_SIZE).max(32);
+    let probes = places.iter().map(|&at| Probe::trace(&world, at, width, progress)).collect::<Result<Vec<_>>>()?;
+    let mut baked = Baked { layers: Vec::new(), quads: Vec::new(), result: Impostors::default() };
+    baked.add(&world, eye, size as usize, &probes, progress)?;
+    for n in 0..ROUND.min(settings.centers.saturating_sub(1) as usize) {
+        baked.add(&world, around(reach, n, ROUND, 0.0), size as usize, &probes, progress)?;
+    }
+    let total: usize = probes.iter().map(Probe::texels).sum();
+    loop {
+        let missing = probes.iter().map(|probe| probe.missing(&baked.layers, progress)).collect::<Result<Vec<_>>>()?;
+        let share = missing.iter().sum::<usize>() as f64 / total as f64;
+        baked.result.missing.push(share);
+        if share <= settings.missing || baked.layers.len() >= settings.centers as usize {
+            break;
+        }
+        // The first of equals, so that the choice does not depend on how probes are counted.
+        let worst = (0..probes.len()).max_by_key(|&n| (missing[n], std::cmp::Reverse(n))).unwrap_or_default();
+        baked.add(&world, probes[worst].position, size as usize, &probes, progress)?;
+    }
+    baked.result.seen = world.seen.numbers().collect();
+    baked.result.mesh = atlas::build(&baked.quads, size as usize)?;
+    Ok(baked.result)
+}
+
+struct Baked {
+    layers: Vec<Layer>,
+    quads: Vec<(DVec3, Quad)>,
+    result: Impostors,
+}
+
+impl Baked {
+    /// Adds the layer of a centre; with probes also of far surfaces that these see behind near ones.
+    fn add(
+        &mut self,
+        world: &World<'_>,
+        center: DVec3,
+        size: usize,
+        probes: &[Probe],
+        progress: &Progress,
+    ) -> Result<()> {
+        let count = 6 * tiles_across(size).pow(2);
+        progress.expect((count * SIDE * SIDE) as u64);
+        let tile = |number: usize| {
+            let tile = Tile::trace(world, center, size, place(number, size), &self.layers, probes);
+            let covers = cover::cover(&tile);
+            let quads: Vec<Quad> = covers.iter().map(|cover| paint::paint(world, center, &tile, cover)).collect();
+            progress.report((SIDE * SIDE) as u64).map(|()| (LayerTile::new(&covers), quads))
+        };
+        let tiles = (0..count).into_par_iter().map(tile).collect::<Result<Vec<_>>>()?;
+        let (tiles, quads): (Vec<_>, Vec<_>) = tiles.into_iter().unzip();
+        let offset = center - world.eye;
+        let before = self.quads.len();
+        self.quads.extend(quads.into_iter().flatten().map(|quad| (offset, quad)));
+        self.result.layers.push((offset.to_array(), self.quads.len() - before));
+        self.layers.push(Layer::new(world, center, size, tiles));
+        Ok(())
+    }
+}
