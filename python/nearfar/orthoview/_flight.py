@@ -283,7 +283,7 @@ class Flight(OrthoRenderable):
 
     def _drawable(self, cell: Cell) -> frozenset[int]:
         level, place = cell
-        views = self._viewer.views.of_cell(level, place)
+        views = self._viewer.views.cached_directions(level, place)
         return views | {GEOMETRY} if level == 0 and place in self._viewer.near.cache.values else views
 
     def _read(self, part: Part) -> None:
