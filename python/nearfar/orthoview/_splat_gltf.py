@@ -28,7 +28,7 @@ ATTRIBUTES: dict[str, tuple[int, str, int, bool]] = {
     f"{SPLATS}:SH_DEGREE_0_COEF_0": (5126, "VEC3", 12, False),
     "COLOR_0": (5121, "VEC4", 4, True),
 }
-"""Component and element type, bytes, and whether integers are normalised to 0..1 or −1..1."""
+"""Attributes: component type, element type, bytes, and whether integers are normalised to 0..1 or −1..1."""
 
 _PLACEHOLDERS: dict[str, tuple[int, str, bool]] = {
     "POSITION": (5126, "VEC3", False),
@@ -36,7 +36,7 @@ _PLACEHOLDERS: dict[str, tuple[int, str, bool]] = {
     f"{SPLATS}:SCALE": (5126, "VEC3", False),
     f"{SPLATS}:ROTATION": (5126, "VEC4", False),
 }
-"""Accessors without data; a reader fills them from the SPZ file."""
+"""Accessors without data, which readers fill from the SPZ file: component type, element type, normalisation."""
 
 MAX_BYTES = (1 << 32) - 1
 """Greatest size of a GLB."""
