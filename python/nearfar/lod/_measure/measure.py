@@ -16,8 +16,7 @@ from nearfar.lod._measure.settings import MeasureKeywords, MeasureOptions, Measu
 from nearfar.lod._model import LodModel
 
 
-# One overload per kind of argument: with a union as the only return type, callers would have to narrow each result,
-# and a second function for many objects would make them choose. The keywords are listed once.
+# One overload for each type of `levels`, so that callers need not narrow a union of return types.
 @overload
 def measure(levels: Levels, **options: Unpack[MeasureOptions]) -> LodModel: ...
 @overload
@@ -34,14 +33,14 @@ def measure(
 ) -> LodModel | dict[str, LodModel] | list[LodModel]:
     """Measure how similar levels look to their base, over the size at which they are seen.
 
-    Base and level are rendered from all sides at growing distances, alone before the sky, and compared by SSIM
+    Base and level are rendered from all sides at growing distances, alone in front of the sky, and compared by SSIM
     (Gaussian, 11×11, σ 1.5, on the Rec. 709 luma of 8-bit sRGB) at pixels whose centre shows the object in either
-    picture. A percentile or the mean over the views is a level's score at that size. A falling curve is fitted to the
-    least score at a size and all smaller ones, so that no object gets a finer level as it shrinks.
+    picture. The score of a level at a size is a percentile, or the mean, over the views. A falling curve is fitted to
+    the least score at each size and all smaller ones, so that no object gets a finer level as it shrinks.
 
     ValueError and TypeError for arguments out of range, or a base that is a single point; DeviceError as in `render`;
-    RuntimeError if processes end at once, as in scripts without a guard for `__main__`. On Ctrl-C, KeyboardInterrupt
-    has a note that states how many of how many scores are kept, and where. Sources: Liebisch (2021) for published
+    RuntimeError if processes end at once, as in scripts without a guard for `__main__`. On Ctrl-C, a note of the
+    KeyboardInterrupt says how many of all scores are cached, and where. Sources: Liebisch (2021) for published
     views, distances, percentile and curve; Swinbank, Purser (2006) for even directions; Wang, Bovik, Sheikh, Simoncelli
     (2004) for SSIM.
 
@@ -52,11 +51,11 @@ def measure(
     settings
         The screen, views, sizes and rules, as `MeasureSettings`.
     workers
-        Number of processes among which many objects are distributed. The program's main module must be importable, as
-        always with `multiprocessing`. None stays in this process.
+        Number of processes over which many objects are distributed. The program's main module must be importable, as
+        `multiprocessing` requires. None measures in this process.
     client
-        A `distributed.Client`: objects are distributed over a Dask cluster, whose workers need nearfar. Results are the
-        same bytes in all three cases if the back ends are the same.
+        A `distributed.Client`, to distribute objects over a Dask cluster whose workers have nearfar. Results have the
+        same bytes however objects are distributed, if the backends are the same.
     keywords
         Fields of `settings`, which they replace: `hmd`, or `fov` and `size`; `views`, `directions`, `spacing`,
         `distances`, `standard_error`, `percentile`, `step`, `saturated`, `samples`, `backend`, `cache`.
@@ -64,10 +63,10 @@ def measure(
     Returns
     -------
     LodModel, or dict or list of them
-        A model for one object, a dict for a mapping, a list for a sequence. Each has `levels`, `samples`, and the work
-        in `measured`: "renders" and "scores" (pictures and comparisons made), "cached" (scores found in the cache) and
-        "skipped" (scores not needed, of levels × distances × views, including those of duplicate views).
-        `samples.score` is NaN at sizes where a level was not measured any more.
+        A model for one object, a dict for a mapping, a list for a sequence. A model has `levels` and `samples`, and
+        counts of the work in `measured`: "renders" and "scores" (pictures and comparisons made), "cached" (scores found
+        in the cache) and "skipped" (the other ones of levels × distances × views, including duplicate views).
+        `samples.score` is NaN at sizes where a level was no longer measured.
     """
     measure_settings = gather(MeasureSettings, settings, keywords)
     names, objects = _objects(levels)
@@ -87,7 +86,7 @@ def measure(
 
 
 def _describe_progress(objects: list[Levels], settings: MeasureSettings, client: Any) -> str:
-    """Describe how many scores an interrupted measurement leaves for the next one."""
+    """Describe how many scores of an interrupted measurement are cached."""
     if not settings.cache:
         return "measure: no scores are kept without a cache"
     if client is not None:
