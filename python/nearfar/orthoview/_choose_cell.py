@@ -151,16 +151,11 @@ def _mean_triangles(source: SceneSource, grid: Grid) -> float:
     counts: list[int] = []
     # Many sampled leaves of a sparse source are empty.
     for place in islice(_sampling.leaves(source, grid), 8 * SAMPLED_LEAVES):
-        if count := _triangles(source, grid, place):
-            counts.append(count)
+        if (part := _query(source, grid, place)) is not None and part.triangle_count:
+            counts.append(part.triangle_count)
         if len(counts) == SAMPLED_LEAVES or sum(counts) >= SAMPLED_TRIANGLES:
             break
     return float(np.mean(counts)) if counts else 0.0
-
-
-def _triangles(source: SceneSource, grid: Grid, place: Place) -> int:
-    part = _query(source, grid, place)
-    return 0 if part is None else part.triangle_count
 
 
 def _query(source: SceneSource, grid: Grid, place: Place) -> Scene | None:

@@ -29,7 +29,7 @@ MIN_UNSEEN_SHARE = 0.01
 
 
 def drop_unneeded_layers(views: _core.OrthoViews, layout: Layout) -> _core.OrthoViews:
-    """Drop second layers that show little that no first layer shows."""
+    """Drop second layers that add hardly any surface to the first layers."""
     if layout.layers == 1:
         return views
     return views.keep_behind([unseen_share > MIN_UNSEEN_SHARE for unseen_share in views.unseen()])

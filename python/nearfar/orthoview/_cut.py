@@ -78,7 +78,7 @@ class OrthoCut:
     """Tiers and places of subtrees that must still be read; until then coarser cells replace them. Empty in complete
     cuts."""
     unbuilt: int = 0
-    """Number of the largest cells that an unfinished build has not reached; they may be empty."""
+    """Number of cells, as large as possible, that an unfinished build has not reached; they may be empty."""
 
     def __len__(self) -> int:
         """Number of cells that are drawn from views."""

@@ -34,7 +34,7 @@ MIN_LEAVES, MAX_LEAVES = 4, 16
 """Least and greatest number of leaves whose views are rendered."""
 
 MAX_TRIANGLES = 1_000_000
-"""Number of triangles of the rendered leaves beyond which no leaf is added to the first `MIN_LEAVES`."""
+"""No further leaf is rendered once the leaves have this many triangles, except for the first `MIN_LEAVES`."""
 
 SIZE = 128
 """Width and height of the rendered views, pixels."""

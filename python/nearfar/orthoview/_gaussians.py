@@ -125,7 +125,7 @@ def gaussians_of(
 
 
 def shade(color: NDArray[np.uint8], normal: Floats, sun: tuple[float, float, float] | None) -> NDArray[np.uint8]:
-    """Shade albedo (N, 3) by nearfar's light with another sun; sRGB in and out."""
+    """Shade albedo (N, 3) by the light of all pictures with the sun in a given direction; sRGB in and out."""
     if sun is None:
         return color
     linear = (_LINEAR[color] * irradiance(normal, sun)).astype(np.float32)
@@ -133,7 +133,7 @@ def shade(color: NDArray[np.uint8], normal: Floats, sun: tuple[float, float, flo
 
 
 def irradiance(normal: Floats, sun: tuple[float, float, float]) -> Floats:
-    """Linear RGB (N, 3) that white surfaces reflect in nearfar's light with another sun."""
+    """Linear RGB (N, 3) that white surfaces reflect in the light of all pictures with the sun in a given direction."""
     sky = (0.5 + 0.5 * (normal @ _SKY))[:, None]
     sunlight = _SUN_COLOR * np.maximum(normal @ np.array(sun, np.float32), 0.0)[:, None]
     return np.asarray(_SKY_COLORS[0] + (_SKY_COLORS[1] - _SKY_COLORS[0]) * sky + sunlight)

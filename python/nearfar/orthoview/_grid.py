@@ -149,7 +149,7 @@ def places_of(rows: NDArray[np.integer]) -> list[Place]:
 
 
 Direction = tuple[int, int, int]
-"""Side of a cell that the viewer is on: −1, 0 or 1 along each axis."""
+"""Direction from a cell to the viewer: −1, 0 or 1 along each axis."""
 
 _SIDES: list[Direction] = [(0, 0, 1), (1, 0, 0), (0, 0, -1), (-1, 0, 0)]
 _TOP: list[Direction] = [(0, 1, 0)]

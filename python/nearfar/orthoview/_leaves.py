@@ -25,7 +25,7 @@ MAX_FAILED_LEAVES = 1000
 """Number of failed leaves at which the build stops."""
 
 LOCKS = "locks"
-"""Folder with a lock for each subtree of leaves in work."""
+"""Folder with a lock for each subtree of leaves that is being built."""
 
 RemoteOutcome = Callable[[Place], Outcome | None]
 """Returns the outcome of a subtree of leaves that another process built, else None."""

@@ -1,4 +1,4 @@
-"""Presence masks: which cells of a subtree show something, from which directions, without reading the shards."""
+"""Presence masks: the directions from which each cell of a subtree shows something, as records list them."""
 
 from __future__ import annotations
 

@@ -11,7 +11,7 @@ from typing import Any
 
 from nearfar._base import formats
 from nearfar.orthoview._geometry_store import names
-from nearfar.orthoview._grid import Place
+from nearfar.orthoview._grid import Place, name_of
 from nearfar.orthoview._index import ListedShard
 from nearfar.orthoview._layout import FOLDER, Layout
 from nearfar.orthoview._owners import Guests, encode_guests
@@ -69,7 +69,7 @@ class FolderRecord:
 
 def record_of(store: Path, tier: int, place: Place) -> Path:
     """Path of a subtree's record, which exists once the subtree has been built, with or without failed leaves."""
-    return store / FOLDER / DONE / f"{tier}_{'_'.join(map(str, place))}.json"
+    return store / FOLDER / DONE / f"{tier}_{name_of(place)}.json"
 
 
 def journal_of(store: Path, tier: int, place: Place) -> Path:

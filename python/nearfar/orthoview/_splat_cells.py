@@ -66,21 +66,21 @@ class Cells:
         tier, level_of_subtree = divmod(level, self.layout.subtree)
         return int(self._cells(tier, shard).masks[level_of_subtree][place_in_shard])
 
-    def cells_down_to(self, finest: int) -> Iterator[tuple[int, Place]]:
-        """Cells that show something, from the root down to level `finest`, each after its descendants."""
-        yield from self._cells_below(self.layout.grid.levels - 1, (0, 0, 0), finest)
-
-    def cells_of_level(self, level: int) -> Iterator[tuple[int, Place]]:
-        """Cells of a level that show something."""
-        return (cell for cell in self.cells_down_to(level) if cell[0] == level)
-
-    def _cells_below(self, level: int, place: Place, finest: int) -> Iterator[tuple[int, Place]]:
+    def cells_down_to(
+        self, finest: int, level: int | None = None, place: Place = (0, 0, 0)
+    ) -> Iterator[tuple[int, Place]]:
+        """Non-empty cells, from one cell (default: the root) down to level `finest`, each after its descendants."""
+        level = self.layout.grid.levels - 1 if level is None else level
         if self.direction_mask(level, place) in (0, UNBUILT):
             return
         if level > finest:
             for _, child in self.layout.grid.children(level, place):
-                yield from self._cells_below(level - 1, child, finest)
+                yield from self.cells_down_to(finest, level - 1, child)
         yield level, place
+
+    def cells_of_level(self, level: int) -> Iterator[tuple[int, Place]]:
+        """Cells of a level that show something."""
+        return (cell for cell in self.cells_down_to(level) if cell[0] == level)
 
     def chunks(self, level: int, place: Place) -> _codec.Encoded:
         """Read the chunks of all views of a cell, of both layers; not thread-safe."""

@@ -218,30 +218,28 @@ def finish_generation(path: Path, number: int, aabb: NDArray[np.float64], counts
 
 def overlays(store: Files, newest: int) -> list[FolderRecord]:
     """Records of a store's generations after the first one, newest first."""
-    return [_read_generation(store, number) for number in range(newest, 0, -1)]
+    folders = [overlay_folder(number) for number in range(newest, 0, -1)]
+    return [_read_record(store, folder, _GENERATION_FILE, _GENERATION, _GENERATION_VERSION) for folder in folders]
 
 
 def folder_records(store: Files, newest: int) -> Iterator[FolderRecord]:
     """Records of a complete store: of all subtrees of the first generation, then of the later generations."""
     digests, geometry = _read_list(store)
-    yield from (_read_record(store, name, digest) for name, digest in digests.items())
+    yield from (_read_subtree(store, name, digest) for name, digest in digests.items())
     yield FolderRecord("", "", {}, geometry)
     yield from reversed(overlays(store, newest))
 
 
-def _read_generation(store: Files, number: int) -> FolderRecord:
-    folder = overlay_folder(number)
-    path = folder + _GENERATION_FILE
-    document = _read_json(store, path, _GENERATION, _GENERATION_VERSION)
-    with formats.guarded(f"{store.address}/{path}"):
-        return FolderRecord.from_document(folder, "generation", document)
+def _read_subtree(store: Files, name: str, digest: str) -> FolderRecord:
+    return _read_record(store, "", f"{FOLDER}/{DONE}/{name}", RECORD, _record.VERSION, digest)
 
 
-def _read_record(store: Files, name: str, digest: str) -> FolderRecord:
-    path = f"{FOLDER}/{DONE}/{name}"
-    document = _read_json(store, path, RECORD, _record.VERSION, digest)
-    with formats.guarded(f"{store.address}/{path}"):
-        return FolderRecord.from_document("", name.removesuffix(".json"), document)
+def _read_record(
+    store: Files, folder: str, name: str, kind: str, version: int, digest: str | None = None
+) -> FolderRecord:
+    document = _read_json(store, folder + name, kind, version, digest)
+    with formats.guarded(f"{store.address}/{folder}{name}"):
+        return FolderRecord.from_document(folder, Path(name).stem, document)
 
 
 def _read_list(store: Files) -> tuple[Mapping[str, str], Described]:
@@ -319,7 +317,7 @@ class FirstGeneration:
         """Read the record of a subtree; None for an empty subtree."""
         name = record_of(Path(), tier, place).name
         if name in self._digests and name not in self._records:
-            self._records[name] = _read_record(self._store, name, self._digests[name])
+            self._records[name] = _read_subtree(self._store, name, self._digests[name])
         return self._records.get(name)
 
     def shard(self, path: str) -> ListedShard | None:

@@ -77,17 +77,14 @@ class Unfinished(Local):
         """Whether the build has finished a cell, or found it empty."""
         tier, level_of_subtree = divmod(level, self._layout.subtree)
         shard, place_in_shard = self._layout.shard_of(level, place)
-        path = record_of(Path(), tier, shard).as_posix()
-        content = self.read(path)
-        if content is None:  # the cells above say whether the subtree is empty
-            top, bits = (tier + 1) * self._layout.subtree, (tier + 1) * self._layout.subtree - level
-            return top < self._layout.grid.levels and self.has_built(
-                top, (place[0] >> bits, place[1] >> bits, place[2] >> bits)
-            )
-        with formats.guarded(self.folder / path):
-            views = formats.check(formats.from_json(content), RECORD, VERSION, self.folder / path)["views"]
-            mask = int(masks_of(views, self._layout, tier)[level_of_subtree][place_in_shard])
-        return mask not in (UNBUILT, PARTIAL)
+        record = _store.FirstGeneration(self, self._layout).record(tier, shard)
+        if record is None:  # the cell above the subtree shows whether the subtree is empty
+            top = (tier + 1) * self._layout.subtree
+            x, y, z = (number >> (top - level) for number in place)
+            return top < self._layout.grid.levels and self.has_built(top, (x, y, z))
+        with formats.guarded(self.folder):
+            masks = masks_of(record.cells["views"], self._layout, tier)
+        return int(masks[level_of_subtree][place_in_shard]) not in (UNBUILT, PARTIAL)
 
     def unfinished_shards(self) -> dict[str, bytes]:
         """Read all unfinished shards, each with its index, by path."""
