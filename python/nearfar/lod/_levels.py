@@ -132,7 +132,7 @@ class Levels(Sequence[Level]):
         return "\n".join([f"{self.name}, radius {self.radius:.4g} m", *rows])
 
 
-def kept_levels(levels: Levels, numbers: Iterable[int]) -> Levels:
+def pick_levels(levels: Levels, numbers: Iterable[int]) -> Levels:
     """Return some of an object's levels, given by ascending numbers that start with 0."""
     return Levels([levels[number] for number in numbers], name=levels.name, frame=levels.frame)
 

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check
 from nearfar._base.settings import set_fields
-from nearfar.lod._levels import Levels, kept_levels, level_numbers
+from nearfar.lod._levels import Levels, level_numbers, pick_levels
 from nearfar.lod._measure import statistic
 from nearfar.lod._measure.fit import Curve4PL
 from nearfar.lod._measure.statistic import Samples
@@ -119,7 +119,7 @@ class MeasuredLevels:
             triangles=self.triangles[numbers],
             curves=self.curves[numbers[1:] - 1],
             errors=self.errors[numbers],
-            levels=None if self.levels is None else kept_levels(self.levels, numbers.tolist()),
+            levels=None if self.levels is None else pick_levels(self.levels, numbers.tolist()),
             samples=samples,
         )
 

@@ -35,7 +35,6 @@ CLASS, PROPERTY = "tile", "box"
 _BOX_TYPE = {"type": "SCALAR", "componentType": "FLOAT64", "array": True, "count": 12}
 _BOX_PROPERTY = {**_BOX_TYPE, "required": True, "semantic": "TILE_BOUNDING_BOX"}
 SCHEMA: dict[str, Any] = {"id": "nearfar", "classes": {CLASS: {"properties": {PROPERTY: _BOX_PROPERTY}}}}
-"""Schema of the metadata."""
 
 _HEADER = struct.Struct("<4sIQQ")
 _TO_Z_UP = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
@@ -150,7 +149,6 @@ class _Views:
         return {"bitstream": self.add(np.packbits(flags, bitorder="little").tobytes()), "availableCount": len(numbers)}
 
     def encoded(self, document: dict[str, Any]) -> bytes:
-        """Encode the subtree's file."""
         complete = {"buffers": [{"byteLength": len(self._data)}], "bufferViews": self._views, **document}
         text = json.dumps(complete, separators=(",", ":")).encode()
         text += b" " * (-len(text) % 8)

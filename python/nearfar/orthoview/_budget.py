@@ -48,7 +48,6 @@ class Fit:
 
     @property
     def count(self) -> int:
-        """Number of splats."""
         return sum(layer.count for layer in self.splats)
 
 

@@ -131,7 +131,7 @@ def _begun_layout(target: Path) -> Layout | None:
         return None
     attributes = _store.read(Local(target))
     with formats.guarded(target / _store.DOCUMENT):
-        return Layout.from_described(attributes["layout"])
+        return Layout.from_json(attributes["layout"])
 
 
 def _direction_count(directions: int | Literal["auto"], source: SceneSource, grid: Grid, begun: Layout | None) -> int:

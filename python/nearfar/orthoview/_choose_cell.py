@@ -193,7 +193,7 @@ def expected_seconds(
     bits = settings.depth_bits, settings.normal_bits
     layout = Layout(grid, directions, settings.size, *bits, 1, geometry=geometry, layers=settings.layers)
     count = _sampling.expected_leaves(source, grid)
-    for place in islice(_sampling.spread(source, grid), TIMED_LEAVES):
+    for place in islice(_sampling.spread_leaves(source, grid), TIMED_LEAVES):
         started = time.monotonic()
         part = _query(source, grid, place)
         if part is not None:

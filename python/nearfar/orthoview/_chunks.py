@@ -11,7 +11,7 @@ from nearfar._base.recent import Recent
 from nearfar.orthoview import _shard
 from nearfar.orthoview._files import ByteRange, Files
 from nearfar.orthoview._grid import Place
-from nearfar.orthoview._index import ABSENT, Index, ListedShard, unpack_index
+from nearfar.orthoview._index import ABSENT, Index, ShardEntry, unpack_index
 from nearfar.orthoview._layout import Key, Layout
 
 MAX_INDEXES = 2048
@@ -24,7 +24,7 @@ class Generation:
 
     folder: str
     """Path below the store with a trailing slash; empty for the store itself."""
-    shard: Callable[[str], ListedShard | None]
+    shard: Callable[[str], ShardEntry | None]
     """Returns the recorded entry of a shard, by its path below the folder; None if the generation lacks the shard."""
     has_geometry: Callable[[str], bool]
     """Whether the generation has a geometry file, by its path below the folder."""

@@ -16,7 +16,7 @@ from nearfar.orthoview import _store
 from nearfar.orthoview._files import Files, Local
 from nearfar.orthoview._geometry_store import FOLDER as GEOMETRY, IMAGES, names
 from nearfar.orthoview._grid import Place
-from nearfar.orthoview._index import ListedShard
+from nearfar.orthoview._index import ShardEntry
 from nearfar.orthoview._layout import FOLDER, Key, Layout, SubtreeKey
 from nearfar.orthoview._presence import Presence
 from nearfar.orthoview._record import (
@@ -32,7 +32,7 @@ from nearfar.orthoview._shard import ShardWriter
 
 def compact(store: Files, attributes: dict[str, Any], target: Path) -> None:
     """Write the newest generation of a complete store as a new store; see `OrthoTree.compact`."""
-    layout, newest = Layout.from_described(attributes["layout"]), int(attributes["generation"])
+    layout, newest = Layout.from_json(attributes["layout"]), int(attributes["generation"])
     with _store.new_folder(target) as folder, progress.bar("compacting") as report:
         _store.create(folder, layout)
         (folder / FOLDER).mkdir()
@@ -61,9 +61,9 @@ class _Copy:
         }
         self._geometry = self._newest_geometry()
 
-    def subtrees(self) -> dict[SubtreeKey, dict[str, ListedShard | None]]:
+    def subtrees(self) -> dict[SubtreeKey, dict[str, ShardEntry | None]]:
         """Return the shards of all subtrees by path, with their entries, or None for shards that updates changed."""
-        subtrees: defaultdict[SubtreeKey, dict[str, ListedShard | None]] = defaultdict(dict)
+        subtrees: defaultdict[SubtreeKey, dict[str, ShardEntry | None]] = defaultdict(dict)
         for record in self._records:
             for path, shard in record.shards.items():
                 subtrees[self._layout.subtree_of(path)][path] = None if record.folder else shard
@@ -87,7 +87,7 @@ class _Copy:
                     self._size_and_digest[record.folder + path] = size, digest
         return sources
 
-    def write(self, subtree: SubtreeKey, shards: dict[str, ListedShard | None]) -> None:
+    def write(self, subtree: SubtreeKey, shards: dict[str, ShardEntry | None]) -> None:
         """Write a subtree's shards, the geometry of its leaves, and its record."""
         tier, place_of_subtree = subtree
         presence = Presence(self._layout, tier)
@@ -121,7 +121,7 @@ class _Copy:
         subtree = self._layout.subtree
         return list(self._layout.grid.descendants((level // subtree + 1) * subtree, shard, level))
 
-    def _merge(self, path: str, level: int, keys: list[Key]) -> ListedShard | None:
+    def _merge(self, path: str, level: int, keys: list[Key]) -> ShardEntry | None:
         """Write a shard of the newest chunks, and return its entry; None if there are no chunks."""
         writer, is_empty = ShardWriter(self._folder / path, self._layout.shard_side(level)), True
         for start in range(0, len(keys), _BATCH):

@@ -120,7 +120,6 @@ class Cutter:
 
     @property
     def grid(self) -> Grid:
-        """Grid of the tree's cells."""
         return self._layout.grid
 
     def knows(self, tier: int, place: Place) -> bool:

@@ -96,7 +96,7 @@ def choose_directions(source: SceneSource, grid: Grid, *, below: bool = False) -
                 hidden.update(holes)
                 visible, cells = visible + pixels, cells + (pixels > 0)
     shares = {count: hidden[count] / visible for count in COUNTS} if visible else {}
-    return Choice(smallest(shares) if shares else DEFAULT_COUNT, shares, cells)
+    return Choice(smallest_set(shares) if shares else DEFAULT_COUNT, shares, cells)
 
 
 def _densest(source: SceneSource, grid: Grid, report: Callable[[int], None]) -> list[Place]:
@@ -123,7 +123,7 @@ def _query(source: SceneSource, grid: Grid, place: Place) -> Scene | None:
     return part if part.triangle_count and not unread_in(source, part) else None
 
 
-def smallest(shares: Mapping[int, float]) -> int:
+def smallest_set(shares: Mapping[int, float]) -> int:
     """Return the size of the smallest set that is good enough, or that no larger one improves by `MIN_IMPROVEMENT`."""
 
     def is_enough(count: int) -> bool:

@@ -181,5 +181,4 @@ def _part_of(content: bytes | Exception, part: ByteRange) -> bytes | None:
 
 
 def _slice(content: bytes, part: ByteRange) -> bytes:
-    """Part of a whole file."""
     return content[part.first : part.first + part.length]

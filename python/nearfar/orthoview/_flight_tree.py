@@ -14,7 +14,7 @@ from nearfar._base import check
 from nearfar._camera.camera import Camera, Fov
 from nearfar.orthoview._flight import THREADS, Flight
 from nearfar.orthoview._pilot import MIN_SPEED, PrefetchSettings
-from nearfar.orthoview._prefetch import Frustums, PrefetchQueue, offsets, queue, smallest
+from nearfar.orthoview._prefetch import Frustums, PrefetchQueue, offsets, queue, smallest_side
 from nearfar.orthoview._renderable_tree import RenderableTree, settings_of
 
 MARGIN = 5.0
@@ -101,7 +101,7 @@ class FlightTree(RenderableTree):
         speed = np.zeros(3) if velocity is None else np.array(check.vector("velocity", velocity))
         length = float(np.linalg.norm(speed))
         cutter = self._viewer.cutter
-        ahead = smallest(cutter.complete_cut(eye_camera, settings, around=True), cutter.grid)
+        ahead = smallest_side(cutter.complete_cut(eye_camera, settings, around=True), cutter.grid)
         places = np.array(eye) + offsets(ahead, speed / length if length > MIN_SPEED else None)
         cameras = [replace(eye_camera, position=check.vector("position", place)) for place in places]
         while True:

@@ -73,7 +73,6 @@ class Grid:
 
     @property
     def levels(self) -> int:
-        """Number of levels."""
         return (max(self.counts) - 1).bit_length() + 1
 
     @property

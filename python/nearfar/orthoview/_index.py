@@ -22,7 +22,7 @@ Index = NDArray[np.uint64]
 """First bytes and lengths (side, side, side, 2) of a shard's chunks."""
 
 
-class ListedShard(NamedTuple):
+class ShardEntry(NamedTuple):
     """Entry of a shard in a record."""
 
     size: int

@@ -231,7 +231,7 @@ class Layout:
         }
 
     @classmethod
-    def from_described(cls, described: dict[str, Any]) -> Layout:
+    def from_json(cls, described: dict[str, Any]) -> Layout:
         """Return the layout that `to_json` encoded; KeyError, TypeError or ValueError for anything else."""
         x, y, z = (check.number("origin", value) for value in described["origin"])
         columns, layers, rows = (check.integer("counts", value, 1, MAX_CELLS) for value in described["counts"])

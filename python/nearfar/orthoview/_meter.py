@@ -22,7 +22,6 @@ class LinkTotals:
 
     @property
     def bytes(self) -> int:
-        """Bytes of views and leaves."""
         return self.view_bytes + self.leaf_bytes
 
 

@@ -15,7 +15,7 @@ from nearfar._camera.camera import Camera
 from nearfar._camera.rotation import compose_rotations, rotation
 from nearfar.orthoview._cut import Cutter, OrthoCut, Part, Settings, leaf_parts, records_of
 from nearfar.orthoview._meter import Meter
-from nearfar.orthoview._prefetch import Frustums, PrefetchQueue, offsets, queue, seen_parts, smallest
+from nearfar.orthoview._prefetch import Frustums, PrefetchQueue, offsets, queue, seen_parts, smallest_side
 from nearfar.orthoview._standins import PartsByCell
 
 WINDOW = 0.25
@@ -146,14 +146,12 @@ class Pilot:
         self._cutter, self._settings, self._ahead = cutter, settings, ahead
         self._motion = Motion()
         self.camera: Camera | None = None
-        """Camera of the viewer."""
         self._further_cameras: Sequence[Camera] = ()
         self._error = settings.error_px
         self._target_error = settings.error_px
         self._queue_state: _QueueState | None = None
         self._coarsest: list[Part] = []
         self.meter = Meter()
-        """Measures the link."""
         self.speed_limit = math.inf
         """Speed that the link allows at the error of the settings, metres a second; higher far from small cells."""
 
@@ -236,7 +234,7 @@ class Pilot:
             return old.queue
         course = self._motion.velocity / speed if speed > MIN_SPEED else None
         settings = self.settings
-        ahead = smallest(self._cutter.cut(camera, settings, around=True), self._cutter.grid)
+        ahead = smallest_side(self._cutter.cut(camera, settings, around=True), self._cutter.grid)
         if course is not None:
             ahead = min(ahead, speed * HORIZON_SECONDS)
         seconds = min(ahead / speed, MAX_TURN_SECONDS) if speed > MIN_SPEED else MAX_TURN_SECONDS

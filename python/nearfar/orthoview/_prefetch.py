@@ -92,7 +92,7 @@ def _sides(camera: Camera, fov: Fov, margin: float) -> NDArray[np.float64]:
     return np.array(normals).reshape(-1, 3)
 
 
-def smallest(cut: OrthoCut, grid: Grid) -> float:
+def smallest_side(cut: OrthoCut, grid: Grid) -> float:
     """Side of the smallest cell of a cut, metres; for an empty cut, of the root's cell."""
     if len(cut.leaves):
         return grid.cell
@@ -128,7 +128,7 @@ def queue(
                 later[part] = stage, _distance(cutter.grid, level, place, eye), level
     soon = sorted(later, key=later.__getitem__)
     positions = np.array([camera.position for camera in ahead]).reshape(-1, 3)
-    return PrefetchQueue(list(needed), soon, positions, smallest(present_cut, cutter.grid), list(unknown))
+    return PrefetchQueue(list(needed), soon, positions, smallest_side(present_cut, cutter.grid), list(unknown))
 
 
 def seen_parts(cutter: Cutter, cut: OrthoCut, camera: Camera, frustums: Frustums) -> dict[Part, None]:

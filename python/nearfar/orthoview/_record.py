@@ -12,15 +12,15 @@ from typing import Any
 from nearfar._base import formats
 from nearfar.orthoview._geometry_store import names
 from nearfar.orthoview._grid import Place, name_of
-from nearfar.orthoview._index import ListedShard
+from nearfar.orthoview._index import ShardEntry
 from nearfar.orthoview._layout import FOLDER, Layout
 from nearfar.orthoview._owners import Guests, encode_guests
 from nearfar.orthoview._presence import Presence
 
-Described = dict[str, tuple[int, str]]
+FileEntries = dict[str, tuple[int, str]]
 """Sizes and SHA-256 of files by path."""
 
-Shards = dict[str, ListedShard]
+Shards = dict[str, ShardEntry]
 """Entries of shards by path."""
 
 DONE = "done"
@@ -51,7 +51,7 @@ class FolderRecord:
     name: str
     """Name of the record's file without its suffix."""
     shards: Shards
-    geometry: Described
+    geometry: FileEntries
     cells: Any = None
     """Entries about cells, not decoded yet."""
 
@@ -95,14 +95,14 @@ def size_alone(path: Path) -> tuple[int, str]:
 
 def list_files(
     folder: Path, paths: Iterable[Path], describe: Callable[[Path], tuple[int, str]] = size_and_hash
-) -> Described:
+) -> FileEntries:
     """List the files that exist, by path below a folder."""
     return {path.relative_to(folder).as_posix(): describe(path) for path in paths if path.is_file()}
 
 
 def list_geometry(
     folder: Path, layout: Layout, leaves: Iterable[Place], describe: Callable[[Path], tuple[int, str]] = size_and_hash
-) -> Described:
+) -> FileEntries:
     """List the geometry files of leaves, by path below a folder."""
     if not layout.geometry:
         return {}
@@ -111,7 +111,7 @@ def list_geometry(
 
 def record_document(
     shards: Shards,
-    geometry: Described,
+    geometry: FileEntries,
     presence: Presence,
     guests: Guests,
     failed: Mapping[str, str] | None = None,
@@ -128,7 +128,6 @@ def record_document(
 
 
 def write_record(path: Path, document: dict[str, Any]) -> None:
-    """Write the record of a subtree."""
     path.parent.mkdir(parents=True, exist_ok=True)
     formats.write_json(path, document)
 
@@ -136,10 +135,10 @@ def write_record(path: Path, document: dict[str, Any]) -> None:
 def parse_shards(listed: Mapping[str, Any]) -> Shards:
     """Decode entries of shards by path; ValueError for a path that does not belong in a store."""
     _check_paths(listed, _SHARD)
-    return {path: ListedShard(int(size), str(digest), str(chunks)) for path, (size, digest, chunks) in listed.items()}
+    return {path: ShardEntry(int(size), str(digest), str(chunks)) for path, (size, digest, chunks) in listed.items()}
 
 
-def parse_geometry(listed: Mapping[str, Any]) -> Described:
+def parse_geometry(listed: Mapping[str, Any]) -> FileEntries:
     """Decode entries of geometry files by path; ValueError for a path that does not belong in a store."""
     _check_paths(listed, _GEOMETRY_FILE)
     return {path: (int(size), str(digest)) for path, (size, digest) in listed.items()}

@@ -30,7 +30,7 @@ _EVENLY, _NUMBERS, _POINTS, _ORDER, _DESCENT = range(5)
 """Keys of the streams of random numbers; the descent uses one stream for each level."""
 
 
-def spread(source: SceneSource, grid: Grid) -> list[Place]:
+def spread_leaves(source: SceneSource, grid: Grid) -> list[Place]:
     """Leaves that may contain something, spread over the world, in a random but reproducible order."""
     return _sample_evenly(grid) if getattr(source, "touches", None) is None else _descend(source, grid)
 
@@ -71,7 +71,7 @@ def leaves(source: SceneSource, grid: Grid) -> Iterator[Place]:
 def _candidates(source: SceneSource, grid: Grid) -> Iterator[Place]:
     if isinstance(source, Scene) and 0 < source.triangle_count <= _MAX_TRIANGLES:
         yield from _leaves_of_triangles(source, grid)
-    yield from spread(source, grid)
+    yield from spread_leaves(source, grid)
 
 
 def _leaves_of_triangles(scene: Scene, grid: Grid) -> Iterator[Place]:

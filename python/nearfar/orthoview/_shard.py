@@ -21,7 +21,7 @@ import numpy as np
 from nearfar._base.errors import UnusableError
 from nearfar.orthoview._files import ByteRange
 from nearfar.orthoview._grid import Place
-from nearfar.orthoview._index import ABSENT, Index, ListedShard, pack_index
+from nearfar.orthoview._index import ABSENT, Index, ShardEntry, pack_index
 from nearfar.orthoview._layout import Chunk, Layout
 
 PART = ".part"
@@ -84,11 +84,11 @@ class ShardWriter:
             file.seek(start)
             return check_complete(file.read(length), ByteRange(str(self._path), start, length))
 
-    def finish(self) -> ListedShard:
+    def finish(self) -> ShardEntry:
         """Write the index and rename the file; return its entry for the record."""
         self._write(index_bytes(self._index), sync=True)
         os.replace(self._part, self._path)
-        return ListedShard(self._size, self._hash.hexdigest(), pack_index(self._index))
+        return ShardEntry(self._size, self._hash.hexdigest(), pack_index(self._index))
 
 
 def checksum(data: bytes) -> bytes:

@@ -101,7 +101,6 @@ class _Sections:
         self.extent = np.array([np.minimum(self.extent[0], extent[0]), np.maximum(self.extent[1], extent[1])])
 
     def close(self) -> None:
-        """Close all temporary files."""
         for file in self._files.values():
             file.close()
 
@@ -126,10 +125,10 @@ def _write_file(
     bounds = cells.bounds()
     center = np.rint(bounds.mean(axis=0)) if is_gltf else np.zeros(3)
     pitch, version = cells.layout.grid.side(level) / cells.layout.size, 2 if is_gltf else 3
-    names, encode, limit = tuple(gltf.ATTRIBUTES), gltf.columns, (1 << 32) - 1
+    names, encode, limit = tuple(gltf.ATTRIBUTES), gltf.encode_attributes, (1 << 32) - 1
     if packed:
         bits = spz.fraction_bits(float(np.abs(bounds - center).max()), SIGMA * pitch)
-        names, encode, limit = spz.SECTIONS, partial(spz.sections, bits=bits, version=version), spz.MAX
+        names, encode, limit = spz.SECTIONS, partial(spz.encode_sections, bits=bits, version=version), spz.MAX
     with closing(_Sections(folder, names)) as sections, path.open("wb") as file:
         _collect(sections, cells, level, center, encode, limit)
         count, extent = sections.count, sections.extent

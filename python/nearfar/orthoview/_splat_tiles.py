@@ -117,7 +117,7 @@ def write(folder: Path, cells: Cells, finest: int, *, packed: bool, extras: Mapp
     contents = [gltf.SPLATS, gltf.PACKED] if packed else [gltf.SPLATS]
     tree = _Tree(folder, cells, finest, contents)
     total = {"tiles": 0, "splats": 0, "pixels": 0, "bytes": 0}
-    encode = partial(gltf.packed if packed else gltf.plain, extras=extras)
+    encode = partial(gltf.encode_packed if packed else gltf.encode_plain, extras=extras)
     size, done = math.prod(cells.layout.grid.counts), 0
 
     def jobs() -> Iterator[Callable[[], _Tile]]:

@@ -59,7 +59,7 @@ def fraction_bits(reach: float, finest: float) -> int:
     return max(0, min(max_bits, math.ceil(math.log2(_STEPS_PER_SIGMA / finest)), _MAX_FRACTION_BITS))
 
 
-def sections(gaussians: Gaussians, bits: int, version: int) -> dict[str, bytes]:
+def encode_sections(gaussians: Gaussians, bits: int, version: int) -> dict[str, bytes]:
     """Encode some Gaussians by section, for files with `bits` fraction bits."""
     fixed = np.rint(gaussians.middle.astype(np.float64) * 2.0**bits).clip(-_MAX_CODE, _MAX_CODE).astype("<i4")
     scales = np.rint((np.log(np.maximum(gaussians.scale, 1e-30)) + 10.0) * 16.0).clip(0, 255).astype(np.uint8)
@@ -77,7 +77,7 @@ def encode(gaussians: Gaussians, *, version: int = 3) -> bytes:
     """Encode Gaussians as a file, relative to their frame's origin."""
     reach = float(np.abs(gaussians.middle).max(initial=0.0))
     bits = fraction_bits(reach, float(gaussians.scale[:, :2].min(initial=1.0)))
-    content = sections(gaussians, bits, version)
+    content = encode_sections(gaussians, bits, version)
     data = b"".join([header(version, len(gaussians), bits), *(content[name] for name in SECTIONS)])
     return gzip.compress(data, 6, mtime=0)
 

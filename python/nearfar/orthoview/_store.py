@@ -24,11 +24,11 @@ from nearfar.orthoview._chunks import Chunks, Generation
 from nearfar.orthoview._files import Files, Local
 from nearfar.orthoview._geometry_store import FOLDER as GEOMETRY, IMAGES, MOVING, SHARED_FOLDERS, TILESET, GeometryStore
 from nearfar.orthoview._grid import Place
-from nearfar.orthoview._index import ListedShard
+from nearfar.orthoview._index import ShardEntry
 from nearfar.orthoview._layout import FOLDER, Layout
 from nearfar.orthoview._owners import Guests, guests_of
 from nearfar.orthoview._presence import UNCHANGED, Masks, masks_of, newest_of
-from nearfar.orthoview._record import DONE, RECORD, Described, FolderRecord, Shards, list_files, record_of
+from nearfar.orthoview._record import DONE, RECORD, FileEntries, FolderRecord, Shards, list_files, record_of
 
 KIND, VERSION = "orthoview", 2
 
@@ -67,7 +67,7 @@ def begin(path: Path, layout: Layout) -> None:
                 raise
     attributes, described = read(Local(path)), layout.to_json()
     with formats.guarded(path / DOCUMENT):
-        Layout.from_described(attributes["layout"])
+        Layout.from_json(attributes["layout"])
     if attributes["layout"] != described:
         different = [key for key in described if attributes["layout"].get(key) != described[key]]
         raise ValueError(f"path: {path} was begun with other values of {', '.join(different)}")
@@ -110,7 +110,7 @@ def finish(path: Path, *, failed: Mapping[str, str], done: Mapping[str, int] | N
     described = read(Local(path))
     if described["complete"]:
         return
-    layout = Layout.from_described(described["layout"])
+    layout = Layout.from_json(described["layout"])
     facts = GeometryStore(path, layout.grid).finish() if layout.geometry else None
     digests = {record.name: hashlib.sha256(record.read_bytes()).hexdigest() for record in _records(path)}
     # Records of subtrees list the files of leaves; these files belong to all leaves.
@@ -124,7 +124,7 @@ def finish(path: Path, *, failed: Mapping[str, str], done: Mapping[str, int] | N
     change(path, complete=not failed, failed=dict(failed), held=dict(held), done=dict(done), geometry=facts)
 
 
-def records_document(digests: Mapping[str, str], geometry: Described) -> dict[str, Any]:
+def records_document(digests: Mapping[str, str], geometry: FileEntries) -> dict[str, Any]:
     """List the SHA-256 of all records by name, and the geometry files that no record lists."""
     return formats.header(_RECORDS, _RECORDS_VERSION) | {"records": digests, "geometry": geometry}
 
@@ -203,7 +203,7 @@ def finish_generation(path: Path, number: int, aabb: NDArray[np.float64], counts
     """Write the record of a generation from the records of its subtrees."""
     folder = path / overlay_folder(number)
     shards: Shards = {}
-    geometry: Described = {}
+    geometry: FileEntries = {}
     cells: dict[str, dict[str, Any]] = {}
     for record in _records(folder):
         document = formats.read_json(record, RECORD, _record.VERSION)
@@ -242,7 +242,7 @@ def _read_record(
         return FolderRecord.from_document(folder, Path(name).stem, document)
 
 
-def _read_list(store: Files) -> tuple[Mapping[str, str], Described]:
+def _read_list(store: Files) -> tuple[Mapping[str, str], FileEntries]:
     """Read the SHA-256 of all records by name, and the entries of the geometry files that no record lists."""
     document = _read_json(store, RECORDS_FILE, _RECORDS, _RECORDS_VERSION)
     with formats.guarded(f"{store.address}/{RECORDS_FILE}"):
@@ -320,7 +320,7 @@ class FirstGeneration:
             self._records[name] = _read_subtree(self._store, name, self._digests[name])
         return self._records.get(name)
 
-    def shard(self, path: str) -> ListedShard | None:
+    def shard(self, path: str) -> ShardEntry | None:
         """Return the entry of a shard; None if it was not written."""
         record = self.record(*self._layout.subtree_of(path))
         return None if record is None else record.shards.get(path)

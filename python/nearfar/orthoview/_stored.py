@@ -15,7 +15,7 @@ from nearfar.orthoview._files import files_at
 from nearfar.orthoview._geometry_store import names
 from nearfar.orthoview._grid import Direction, Place, place_of
 from nearfar.orthoview._layout import check_zarr
-from nearfar.orthoview._unfinished import Unfinished, open_store, unbuilt_leaves
+from nearfar.orthoview._unfinished import UnfinishedFiles, open_store, unbuilt_leaves
 from nearfar.orthoview._view import OrthoView
 
 
@@ -27,7 +27,7 @@ class StoredTree:
         self._files, self._attributes, self._layout = open_store(files_at(path))
         with formats.guarded(f"{self.path}/{_store.DOCUMENT}"):
             self._is_complete = bool(self._attributes["complete"])
-            self._has_ended = not isinstance(self._files, Unfinished) and _store.has_ended(self._attributes)
+            self._has_ended = not isinstance(self._files, UnfinishedFiles) and _store.has_ended(self._attributes)
             self._failed = {place_of(name): str(reason) for name, reason in self._attributes["failed"].items()}
             self._chunks, _ = _store.open_generation(self._files, self._layout, self.generation)
 
@@ -150,7 +150,9 @@ class StoredTree:
 
     def _missing_reason(self, level: int, place: Place) -> str:
         """Reason why a cell without views may be missing from the store; empty text for a cell that shows nothing."""
-        if not self._has_ended and not (isinstance(self._files, Unfinished) and self._files.has_built(level, place)):
+        if not self._has_ended and not (
+            isinstance(self._files, UnfinishedFiles) and self._files.has_built(level, place)
+        ):
             return "the build has not ended"
         reasons = (why for leaf, why in self._failed.items() if tuple(number >> level for number in leaf) == place)
         return next(reasons, "")
@@ -170,7 +172,7 @@ class StoredTree:
     def _require_records(self) -> None:
         """Raise a ValueError for a store behind a URL without the list of records, which a build writes at its end."""
         if (
-            not (self._has_ended or isinstance(self._files, Unfinished))
+            not (self._has_ended or isinstance(self._files, UnfinishedFiles))
             and self._files.read(_store.RECORDS_FILE) is None
         ):
             how = "open its folder, or the address of `nearfar serve`, to see what there is"

@@ -20,7 +20,7 @@ from nearfar.orthoview import _shard, _store
 from nearfar.orthoview._files import ByteRange, Files, Local
 from nearfar.orthoview._geometry_store import FOLDER as GEOMETRY, IMAGES
 from nearfar.orthoview._grid import Place, name_of
-from nearfar.orthoview._index import ListedShard, pack_index
+from nearfar.orthoview._index import ShardEntry, pack_index
 from nearfar.orthoview._layout import FOLDER, Layout, SubtreeKey
 from nearfar.orthoview._presence import PARTIAL, UNBUILT, Presence, masks_of
 from nearfar.orthoview._record import (
@@ -44,7 +44,7 @@ _SUBTREE = re.compile("[0-9]+(_[0-9]+){3}")
 
 
 @dataclass(frozen=True)
-class Moment:
+class Snapshot:
     """Content of a store at one moment."""
 
     documents: dict[str, bytes]
@@ -61,7 +61,7 @@ class Moment:
     """Number of leaves that the build has not reached; some may be empty."""
 
 
-class Unfinished(Local):
+class UnfinishedFiles(Local):
     """Files of a store in a folder, at the moment of construction.
 
     Without `unfinished_leaves`, unfinished subtrees of leaves count as not built: their shards change while they are
@@ -71,7 +71,7 @@ class Unfinished(Local):
     def __init__(self, folder: Path, layout: Layout, *, unfinished_leaves: bool = True) -> None:
         super().__init__(folder)
         self._layout = layout
-        self.moment = _read_moment(Local(folder), layout, 0 if unfinished_leaves else 1)
+        self.snapshot = _take_snapshot(Local(folder), layout, 0 if unfinished_leaves else 1)
 
     def has_built(self, level: int, place: Place) -> bool:
         """Whether the build has finished a cell, or found it empty."""
@@ -88,22 +88,22 @@ class Unfinished(Local):
 
     def unfinished_shards(self) -> dict[str, bytes]:
         """Read all unfinished shards, each with its index, by path."""
-        contents = {name: self.read(name) for name in self.moment.indexes}
+        contents = {name: self.read(name) for name in self.snapshot.indexes}
         return {name: content for name, content in contents.items() if content is not None}
 
     def read(self, name: str) -> bytes | None:
-        if name in self.moment.documents:
-            return self.moment.documents[name]
-        if name not in self.moment.indexes:
+        if name in self.snapshot.documents:
+            return self.snapshot.documents[name]
+        if name not in self.snapshot.indexes:
             return super().read(name)
-        size, index = self.moment.indexes[name]
+        size, index = self.snapshot.indexes[name]
         chunks = self._part(ByteRange(name, 0, size))
         return None if chunks is None else chunks + index
 
     def _part(self, part: ByteRange) -> bytes | None:
-        if part.file not in self.moment.indexes:
+        if part.file not in self.snapshot.indexes:
             return super()._part(part)
-        size, _ = self.moment.indexes[part.file]
+        size, _ = self.snapshot.indexes[part.file]
         # The build renames the file when its subtree is complete, and a build that resumes renames it back.
         for suffix in (_shard.PART, "", _shard.PART):
             length = min(part.length, size - part.first)
@@ -114,27 +114,27 @@ class Unfinished(Local):
 
 def unbuilt_leaves(files: Files) -> int:
     """Number of leaves of a store that its build has not reached; 0 if the build has ended."""
-    return files.moment.unbuilt if isinstance(files, Unfinished) else 0
+    return files.snapshot.unbuilt if isinstance(files, UnfinishedFiles) else 0
 
 
 def open_store(files: Files) -> tuple[Files, dict[str, Any], Layout]:
     """Return the files of a store, its attributes and its layout.
 
-    If the store is in a folder and its build has not ended, the files are an `Unfinished`, and the attributes are what
-    they would be if the build had ended now.
+    If the store is in a folder and its build has not ended, the files are `UnfinishedFiles`, and the attributes are
+    those that the store would have if the build had ended now.
     """
     attributes = _store.read(files)
     with formats.guarded(f"{files.address}/{_store.DOCUMENT}"):
-        layout = Layout.from_described(attributes["layout"])
+        layout = Layout.from_json(attributes["layout"])
         has_ended = _store.has_ended(attributes)
     if has_ended or not isinstance(files, Local):
         return files, attributes, layout
-    unfinished = Unfinished(files.folder, layout)
-    moment = unfinished.moment
-    return unfinished, attributes | {"held": moment.held, "done": moment.done, "failed": moment.failed}, layout
+    unfinished = UnfinishedFiles(files.folder, layout)
+    now = unfinished.snapshot
+    return unfinished, attributes | {"held": now.held, "done": now.done, "failed": now.failed}, layout
 
 
-def _read_moment(store: Local, layout: Layout, lowest_tier: int) -> Moment:
+def _take_snapshot(store: Local, layout: Layout, lowest_tier: int) -> Snapshot:
     folder = store.folder
     journals = {key for key in _find_subtrees(folder / FOLDER / JOURNALS, ".jsonl") if key[0] >= lowest_tier}
     recorded = set(_find_subtrees(folder / FOLDER / DONE, ".json"))
@@ -163,7 +163,7 @@ def _read_moment(store: Local, layout: Layout, lowest_tier: int) -> Moment:
         digests[Path(path).name] = hashlib.sha256(content).hexdigest()
     images = list_files(folder, sorted((folder / GEOMETRY / IMAGES).glob("*.webp")), size_alone)
     documents[_store.RECORDS_FILE] = formats.to_json(_store.records_document(digests, images)).encode()
-    return Moment(documents, indexes, dict(held), _store.done_of(held, empty), failed, unbuilt)
+    return Snapshot(documents, indexes, dict(held), _store.done_of(held, empty), failed, unbuilt)
 
 
 def _find_subtrees(folder: Path, suffix: str) -> Iterator[SubtreeKey]:
@@ -196,13 +196,13 @@ class _UnfinishedSubtree:
             # Data was lost in a system crash; the build starts the subtree again.
             self._journal = Journal(folder / NO_FILE, is_writer=False)
         self.indexes: dict[str, tuple[int, bytes]] = {}
-        """As in `Moment`."""
-        self._shards: dict[str, ListedShard] = {}
+        """As in `Snapshot`."""
+        self._shards: dict[str, ShardEntry] = {}
         for (level, place, array), size in self._journal.sizes().items():
             path = layout.shard_path((level, place, array))
             index = _shard.index_of_chunks(layout.shard_side(level), self._journal.chunks_of(array, layout))
             self.indexes[path] = size, (encoded := _shard.index_bytes(index))
-            self._shards[path] = ListedShard(size + len(encoded), NO_HASH, pack_index(index))
+            self._shards[path] = ShardEntry(size + len(encoded), NO_HASH, pack_index(index))
         self._presence = Presence(layout, self._tier)
         self.unbuilt = 0
         """Number of leaves that the build has not reached."""

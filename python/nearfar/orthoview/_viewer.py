@@ -31,7 +31,7 @@ from nearfar.orthoview._geometry_store import names
 from nearfar.orthoview._grid import Grid, Place, place_of
 from nearfar.orthoview._layout import Layout, ViewKey
 from nearfar.orthoview._near import Near
-from nearfar.orthoview._unfinished import Unfinished, open_store
+from nearfar.orthoview._unfinished import UnfinishedFiles, open_store
 from nearfar.orthoview._views import Views
 
 AVERAGED = ("color", "coverage")
@@ -219,7 +219,6 @@ class OpenStore:
 
     @property
     def grid(self) -> Grid:
-        """Grid of the tree's cells."""
         return self.layout.grid
 
     @property
@@ -233,11 +232,11 @@ class OpenStore:
         Before the build has ended, open the cells written by now; None if nothing was written since.
         """
         older = self.files
-        files, attributes, layout = open_store(Local(older.folder) if isinstance(older, Unfinished) else older)
+        files, attributes, layout = open_store(Local(older.folder) if isinstance(older, UnfinishedFiles) else older)
         with formats.guarded(f"{files.address}/{_store.DOCUMENT}"):
             newest, failed = int(attributes["generation"]), [place_of(name) for name in attributes["failed"]]
-        if isinstance(older, Unfinished):
-            is_same = isinstance(files, Unfinished) and files.moment == older.moment
+        if isinstance(older, UnfinishedFiles):
+            is_same = isinstance(files, UnfinishedFiles) and files.snapshot == older.snapshot
         else:
             is_same = newest <= self.generation
         if is_same:
@@ -246,7 +245,7 @@ class OpenStore:
             raise FormatError(f"{files.address}: the folder now holds another tree; open it again")
         opened = OpenStore.from_files(files, layout, newest, self.cache_bytes, failed=len(failed))
         overlays = _store.overlays(files, newest)[: newest - self.generation]
-        repeated = {place_of(name) for name in older.moment.failed} if isinstance(older, Unfinished) else set()
+        repeated = {place_of(name) for name in older.snapshot.failed} if isinstance(older, UnfinishedFiles) else set()
 
         def may_view_differ(view: ViewKey) -> bool:
             """Whether a newer generation has the view's shard, or a failed leaf in the cell was built again."""
@@ -258,7 +257,7 @@ class OpenStore:
 
         def is_leaf_changed(place: Place) -> bool:
             # A leaf without geometry may have been unbuilt.
-            was_unbuilt = isinstance(older, Unfinished) and self.viewer.near.cache.values.get(place) is None
+            was_unbuilt = isinstance(older, UnfinishedFiles) and self.viewer.near.cache.values.get(place) is None
             return (
                 was_unbuilt
                 or place in repeated

@@ -13,7 +13,7 @@ from nearfar.orthoview import _store
 from nearfar.orthoview._files import Local
 from nearfar.orthoview._layout import FOLDER, Layout
 from nearfar.orthoview._record import DONE
-from nearfar.orthoview._unfinished import Unfinished
+from nearfar.orthoview._unfinished import UnfinishedFiles
 
 GEOMETRY_SUFFIXES = (".glb", ".webp")
 """Suffixes of geometry files that the page reads; the tileset is not among them."""
@@ -52,10 +52,10 @@ def tree_files(folder: Path) -> dict[str, File]:
     store: Local = Local(folder)
     attributes = _store.read(store)
     with formats.guarded(folder / _store.DOCUMENT):
-        layout, has_ended = Layout.from_described(attributes["layout"]), _store.has_ended(attributes)
+        layout, has_ended = Layout.from_json(attributes["layout"]), _store.has_ended(attributes)
     unfinished_shards: dict[str, bytes] = {}
     if not has_ended:
-        store = unfinished = Unfinished(folder, layout, unfinished_leaves=False)
+        store = unfinished = UnfinishedFiles(folder, layout, unfinished_leaves=False)
         unfinished_shards = unfinished.unfinished_shards()
     files: dict[str, File] = {}
     documents = [_store.DOCUMENT, _store.RECORDS_FILE]

@@ -10,8 +10,8 @@ from typing import Any, Unpack, overload
 from nearfar._base import cache, check
 from nearfar._base.distribute import distribute
 from nearfar._base.settings import gather
-from nearfar.lod._levels import Levels, kept_levels
-from nearfar.lod._measure.one_object import kept_scores, measure_one
+from nearfar.lod._levels import Levels, pick_levels
+from nearfar.lod._measure.one_object import count_scores, measure_one
 from nearfar.lod._measure.settings import MeasureKeywords, MeasureOptions, MeasureSettings
 from nearfar.lod._model import LodModel
 
@@ -77,7 +77,7 @@ def measure(
         interrupt.add_note(_describe_progress(objects, measure_settings, client))
         raise
     models = [
-        replace(model, levels=kept_levels(every_level, kept))
+        replace(model, levels=pick_levels(every_level, kept))
         for every_level, (model, kept) in zip(objects, measured, strict=True)
     ]
     if isinstance(levels, Levels):
@@ -91,7 +91,7 @@ def _describe_progress(objects: list[Levels], settings: MeasureSettings, client:
         return "measure: no scores are kept without a cache"
     if client is not None:
         return "measure: scores are kept in the cache folders of the cluster's workers; the same call goes on from them"
-    known_count, total_count = map(sum, zip(*(kept_scores(levels, settings) for levels in objects), strict=True))
+    known_count, total_count = map(sum, zip(*(count_scores(levels, settings) for levels in objects), strict=True))
     kept = f"measure: {known_count:,} of at most {total_count:,} scores are kept in {cache.folder()}"
     return f"{kept}; the same call goes on from them"
 

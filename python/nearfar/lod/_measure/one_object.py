@@ -39,7 +39,7 @@ def measure_one(levels: Levels, report: progress.Report, *, settings: MeasureSet
     return _Measurement(ScoreTable(levels, settings, report)).run()
 
 
-def kept_scores(levels: Levels, settings: MeasureSettings) -> tuple[int, int]:
+def count_scores(levels: Levels, settings: MeasureSettings) -> tuple[int, int]:
     """Count the cached scores, and the scores of a complete measurement."""
     if len(levels) < 2 or not levels.radius > 0.0:
         return 0, 0
