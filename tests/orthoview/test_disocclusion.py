@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 import nearfar as nf
 from nearfar._base import progress
 from nearfar.orthoview import _disocclusion as measure, _sampling as sampling
-from nearfar.orthoview._disocclusion import SIZE, choose_directions, nearest, smallest, viewers
+from nearfar.orthoview._disocclusion import SIZE, choose_directions, nearest, smallest_set, viewers
 from nearfar.orthoview._grid import COUNTS, Grid, Place, directions_of
 from nearfar.orthoview._sampling import leaves
 from tests.support.orthoview_cases import boxes
@@ -156,7 +156,7 @@ def test_street_grids_defeat_views_along_their_axes() -> None:
     assert aligned[5] > 1.4 * turned[5]
     assert aligned[9] > 2 * turned[9]
     assert aligned[13] < 0.5 * aligned[9]
-    assert (smallest(aligned), smallest(turned)) == (13, 9)
+    assert (smallest_set(aligned), smallest_set(turned)) == (13, 9)
 
 
 def test_moving_objects_hide_nothing() -> None:
@@ -172,13 +172,13 @@ def test_moving_objects_hide_nothing() -> None:
 
 def test_the_smallest_sufficient_set_is_chosen() -> None:
     good, worse = measure.GOOD_DISOCCLUSION, measure.GOOD_DISOCCLUSION + 2 * measure.MIN_IMPROVEMENT
-    assert smallest({5: good, 9: 0.0, 13: 0.0, 26: 0.0}) == 5
-    assert smallest({5: worse, 9: good, 13: 0.0, 26: 0.0}) == 9
-    assert smallest({5: 0.5, 9: 0.4, 13: 0.3, 26: 0.2}) == 26
+    assert smallest_set({5: good, 9: 0.0, 13: 0.0, 26: 0.0}) == 5
+    assert smallest_set({5: worse, 9: good, 13: 0.0, 26: 0.0}) == 9
+    assert smallest_set({5: 0.5, 9: 0.4, 13: 0.3, 26: 0.2}) == 26
     # No set is good enough, and none is much better than the second.
-    assert smallest({5: 0.5, 9: 0.2, 13: 0.195, 26: 0.195}) == 9
+    assert smallest_set({5: 0.5, 9: 0.2, 13: 0.195, 26: 0.195}) == 9
     # The next set is no better than the first, but the one after it is.
-    assert smallest({5: 0.5, 9: 0.5, 13: 0.2, 26: 0.2}) == 13
+    assert smallest_set({5: 0.5, 9: 0.5, 13: 0.2, 26: 0.2}) == 13
 
 
 class Counted:
@@ -266,7 +266,7 @@ def test_choices_are_deterministic() -> None:
     grid = Grid.from_bounds(scene.bounds, 60.0)
     one = choose_directions(scene, grid)
     assert one == choose_directions(scene.query(scene.bounds), grid)
-    assert one.count == smallest(one.shares)
+    assert one.count == smallest_set(one.shares)
     # The mean over its leaves, weighted by pixels, lies between their minimum and maximum.
     each = [
         disocclusion(scene.query(grid.box(0, place)), grid, place) for place in measure._densest(scene, grid, print)

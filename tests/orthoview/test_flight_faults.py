@@ -295,7 +295,7 @@ def test_another_tree_in_the_same_place_is_refused(small_shards: Tree, tmp_path:
         updated(first)
         path.rename(tmp_path / "was.zarr")
         Path(first.path).rename(path)
-        with pytest.raises(nf.FormatError, match="another tree was built in this place"):
+        with pytest.raises(nf.FormatError, match="the folder now holds another tree"):
             flight.refresh()
         assert is_same(flight.render(camera), old)
         path.rename(first.path)

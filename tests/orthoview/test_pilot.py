@@ -159,7 +159,7 @@ def test_the_speed_limit_follows_from_the_link(tree: Tree, height: float) -> Non
     new = parts_around(tree, camera_at(offset + np.array([ahead, 0, 0]))) - parts_around(tree, camera)
     assert new
     size = sum(5000 if part[2] == GEOMETRY else 1000 for part in new)
-    assert pilot.limit == pytest.approx(RATE_SHARE * 60_000 * ahead / size)
+    assert pilot.speed_limit == pytest.approx(RATE_SHARE * 60_000 * ahead / size)
 
 
 def test_the_speed_limit_grows_with_the_height(tree: Tree) -> None:
@@ -169,7 +169,7 @@ def test_the_speed_limit_grows_with_the_height(tree: Tree) -> None:
         measured(pilot, 60_000)
         fly(pilot, (0, height, 0), (25, 0, 0))
         pilot.plan(everything)
-        limits.append(pilot.limit)
+        limits.append(pilot.speed_limit)
     assert limits == sorted(limits)
     assert limits[0] < limits[1] < limits[2]
 
@@ -181,7 +181,7 @@ def test_without_a_course_or_a_measurement_there_is_no_speed_limit(tree: Tree) -
             measured(pilot, 6_000)
         fly(pilot, (0, 10, 0), velocity)
         assert pilot.plan(everything).error_px == 1.0
-        assert pilot.limit == math.inf
+        assert pilot.speed_limit == math.inf
         assert pilot.settings.error_px == 1.0
 
 
@@ -205,7 +205,7 @@ def test_a_fast_viewer_requests_a_coarser_picture(tree: Tree) -> None:
         new = parts_around(tree, camera_at(offset + np.array([ahead, 0, 0])), error) - parts_around(tree, camera, error)
         size = sum(5000 if part[2] == GEOMETRY else 1000 for part in new)
         limits.append(RATE_SHARE * 60_000 * ahead / size if size else math.inf)
-    assert pilot.limit == pytest.approx(limits[0])
+    assert pilot.speed_limit == pytest.approx(limits[0])
     assert limits[0] < 400
     step = next((n for n, limit in enumerate(limits) if limit >= 400), 10)
     assert step > 0
@@ -260,9 +260,9 @@ def test_a_picture_becomes_finer_with_slack_only(tree: Tree) -> None:
         pilot._error = pilot._target_error = error_px
         fly(pilot, (0, 10, 0), (speed, 0, 0), 30.0)
         pilot.plan(nothing)
-        assert pilot._target_error == 1.0 or speed < pilot.limit < HYSTERESIS * speed
+        assert pilot._target_error == 1.0 or speed < pilot.speed_limit < HYSTERESIS * speed
         assert (pilot._target_error > 1.0) == is_coarse
-        speed = pilot.limit / 1.2  # On a path of the same length, since it is longer than the smallest cell.
+        speed = pilot.speed_limit / 1.2  # On a path of the same length, since it is longer than the smallest cell.
 
 
 def test_parts_of_the_other_eye_are_wanted(tree: Tree) -> None:

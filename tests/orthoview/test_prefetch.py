@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar.orthoview._cut import GEOMETRY, Part
-from nearfar.orthoview._prefetch import Outlook
+from nearfar.orthoview._prefetch import Frustums
 from tests.support import cut_oracle, need
 from tests.support.orthoview_cases import CORNER
 
@@ -130,7 +130,7 @@ def test_an_empty_place_has_a_queue(tree: Tree) -> None:
     assert found.soon == []
 
 
-# Outlooks.
+# Frustums.
 
 unit = st.tuples(*[st.floats(-1, 1)] * 4).filter(lambda turn: np.linalg.norm(turn) > 0.1)
 tangents = st.floats(0.1, 3.0)
@@ -152,8 +152,8 @@ def angles_of(camera: nf.Camera, points: NDArray[np.float64]) -> NDArray[np.floa
     return angles
 
 
-def sees(outlook: Outlook, corners: NDArray[np.float64], sides: NDArray[np.float64]) -> NDArray[np.bool_]:
-    return outlook.sees(np.array([1.0, 2.0, 3.0]), corners, sides)
+def sees(frustums: Frustums, corners: NDArray[np.float64], sides: NDArray[np.float64]) -> NDArray[np.bool_]:
+    return frustums.overlap(np.array([1.0, 2.0, 3.0]), corners, sides)
 
 
 @given(unit, tangents, tangents, tangents, tangents, st.floats(0, 1.5), st.integers(0, 2**32 - 1))
@@ -164,7 +164,7 @@ def test_cells_with_a_visible_point_are_visible(
     camera = camera_of(turn, left, right, down, up)
     rng = np.random.default_rng(seed)
     corners, sides = rng.uniform(-60, 60, (15, 3)), rng.uniform(1, 40, 15)
-    seen = sees(Outlook([camera], margin), corners, sides)
+    seen = sees(Frustums([camera], margin), corners, sides)
     limits = np.array([[math.atan(left), math.atan(right)], [math.atan(down), math.atan(up)]]) + margin
     lattice = np.stack(np.meshgrid(*[np.linspace(0, 1, 6)] * 3), -1).reshape(-1, 3)
     ends = np.stack(np.meshgrid(*[[0.0, 1.0]] * 3), -1).reshape(-1, 3)
@@ -187,21 +187,21 @@ def test_cells_with_a_visible_point_are_visible(
                     assert not is_seen
 
 
-def test_outlooks_in_all_directions_include_every_cell() -> None:
+def test_frustums_in_all_directions_include_every_cell() -> None:
     camera = camera_of((0, 0, 0, 1), 1, 1, 1, 1)
     cube = nf.Camera((1.0, 2.0, 3.0), fov=nf.CubeFace(2), size=(8, 8))
     plan = nf.Camera((1.0, 2.0, 3.0), fov=nf.Orthographic(-1, 1, -1, 1), size=(8, 8))
     corners, sides = np.random.default_rng(0).uniform(-60, 60, (40, 3)), np.full(40, 2.0)
-    assert not sees(Outlook([camera], 0.0), corners, sides).all()
-    for outlook in (Outlook([camera], None), Outlook([camera, cube], 0.1), Outlook([plan], 0.1), Outlook([], 0.1)):
-        assert sees(outlook, corners, sides).all()
+    assert not sees(Frustums([camera], 0.0), corners, sides).all()
+    for frustums in (Frustums([camera], None), Frustums([camera, cube], 0.1), Frustums([plan], 0.1), Frustums([], 0.1)):
+        assert sees(frustums, corners, sides).all()
 
 
-def test_outlooks_of_several_cameras_are_their_union() -> None:
+def test_frustums_of_several_cameras_are_their_union() -> None:
     cameras = [camera_of((0, 1, 0, turn), 0.5, 0.5, 0.5, 0.5) for turn in (0.3, 1.0, 4.0)]
     corners, sides = np.random.default_rng(1).uniform(-60, 60, (200, 3)), np.full(200, 2.0)
-    each = [sees(Outlook([camera], 0.1), corners, sides) for camera in cameras]
-    np.testing.assert_array_equal(sees(Outlook(cameras, 0.1), corners, sides), np.any(each, axis=0))
+    each = [sees(Frustums([camera], 0.1), corners, sides) for camera in cameras]
+    np.testing.assert_array_equal(sees(Frustums(cameras, 0.1), corners, sides), np.any(each, axis=0))
     assert not np.array_equal(each[0], each[1])
 
 
@@ -216,5 +216,5 @@ def test_rotated_pictures_stay_within_the_margin(turn: Any, sides: Any, angle: f
     vector = w * local[:3] + local[3] * own + np.cross(own, local[:3])
     turned = camera_of((*vector, w * local[3] - own @ local[:3]), *sides)
     corners, small = np.random.default_rng(2).uniform(-60, 60, (300, 3)), np.full(300, 1e-9)
-    now = sees(Outlook([turned], 0.0), corners, small)
-    assert not (now & ~sees(Outlook([camera], abs(angle) * 1.5 + 1e-6), corners, small)).any()
+    now = sees(Frustums([turned], 0.0), corners, small)
+    assert not (now & ~sees(Frustums([camera], abs(angle) * 1.5 + 1e-6), corners, small)).any()

@@ -23,7 +23,7 @@ from nearfar.cli._groups import Options, choice, flag, option
 from nearfar.cli._options import FILES, PROCEDURAL, read_numbers
 from nearfar.cli._output import Clock, bytes_text, check_folder, check_target, count, metres, show
 from nearfar.cli._scenes import FileOptions, open_world
-from nearfar.orthoview._choose_cell import expected_seconds, usual
+from nearfar.orthoview._choose_cell import expected_seconds, usual_directions
 from nearfar.orthoview._settings import Compression
 from nearfar.orthoview._store import DOCUMENT
 
@@ -102,7 +102,7 @@ MIN_ANNOUNCED = 20.0
 def _announce(source: nf.SceneSource, cell: float | None, aabb: ArrayLike | None, views: ViewOptions) -> float:
     """Say which side of the leaves was chosen and why, and how long the build may take; return the side."""
     if cell is None:
-        size, directions = views.settings.size, usual(views.settings)
+        size, directions = views.settings.size, usual_directions(views.settings)
         choice = nf.orthoview.choose_cell(source, aabb=aabb, size=size, directions=directions)
         typer.echo(f"nearfar: --cell {choice.cell:g}: {choice}", err=True)
         cell = choice.cell

@@ -1,4 +1,4 @@
-"""Exports models and scenes with levels as GLB with `MSFT_lod`: engines switch at sizes given by the curves."""
+"""Exports models and scenes with levels as GLB with `MSFT_lod`; the curves give the sizes at which engines switch."""
 
 from __future__ import annotations
 
@@ -30,10 +30,10 @@ if TYPE_CHECKING:
 
 EXTENSION, COVERAGE, EXTRAS_KEY = "MSFT_lod", "MSFT_screencoverage", "nearfar"
 MEASURED = ("ratio", "error", "mean_error", "note")
-"""Fields of `Level` that files hold besides geometry: three numbers and a text."""
+"""Fields of `Level` that a GLB holds besides geometry: three numbers and a text."""
 _IDENTITY = np.eye(4)
 _MARK, _START = f'"nearfar.{_file.NAME}"'.encode(), 4096
-"""Format of the document, and the bytes from a JSON file's beginning within which it is stated."""
+"""Text that identifies a document, and the number of first bytes of a JSON file among which it occurs."""
 
 
 def write(
@@ -103,7 +103,7 @@ def read(target: Path) -> dict[str, Any]:
 
 
 def find_document(path: Path) -> dict[str, Any] | None:
-    """Return the document of a file of `write` or `LodModel.save`, found by its content; None for other files."""
+    """Return the document of a file that `write` or `LodModel.save` made, whatever its name; None for other files."""
     from nearfar._base import glb
 
     with path.open("rb") as file:
@@ -138,10 +138,10 @@ def export(
 ) -> None:
     """Write a scene whose objects have levels as a GLB for engines that switch levels themselves.
 
-    Each object is a node with its level 0, `MSFT_lod` and `MSFT_screencoverage`; its other levels are nodes outside the
-    scene at the same place, which share their meshes with other objects of the model. Programs without the extension
-    show level 0. Everything else is written unchanged, with all undrawn properties of materials: maps of normals,
-    metal, roughness and occlusion, blending, and single-sided faces.
+    Each object is a node with its level 0, `MSFT_lod` and `MSFT_screencoverage`. Its other levels are nodes outside the
+    scene at the same place; objects of one model share their meshes. Programs without the extension show level 0. All
+    other objects are unchanged. Materials keep the properties that nearfar does not draw: maps of normals, metal,
+    roughness and occlusion, blending, and single-sided faces.
 
     ValueError and TypeError for arguments out of range; OSError if the file cannot be written.
 
@@ -154,7 +154,7 @@ def export(
     view, k, d, threshold, quality, floor
         As in `switches`, for the coverages.
     all_levels
-        Write also levels that are never shown, since a coarser one is good enough up to the same or a greater size.
+        Also write levels that are never shown because a coarser one is good enough up to the same or a greater size.
     """
     from nearfar._scene import glb
 
@@ -171,7 +171,7 @@ def export(
     unleveled_scene = core.without_objects(has_levels)
     written = [np.flatnonzero(size.is_ever_shown | all_levels) for size in sizes]
     sizes = [size.of_levels(levels) for size, levels in zip(sizes, written, strict=True)]
-    # Objects without levels come first, then each object's levels, one static instance for each.
+    # Objects without levels come first, then the levels of each object, each level as a static instance.
     rows_and_models = zip(table.row_of[numbers].tolist(), table.model_of[numbers].tolist(), strict=True)
     rows = [[table.meshes[row][level] for level in written[model]] for row, model in rows_and_models]
     counts = np.array([len(row) for row in rows], np.int64)
@@ -209,7 +209,7 @@ def _encode_scene(
 
 
 def engine_levels(model: MeasuredLevels, sizes: Switches) -> list[dict[str, Any]]:
-    """JSON entry of each level for engines: the size at which it takes over in several units, None for never."""
+    """JSON entry of each level for engines: the size up to which it is shown; no distance for one that never is."""
     return [
         {
             "triangles": int(model.triangles[level]),
@@ -223,9 +223,9 @@ def engine_levels(model: MeasuredLevels, sizes: Switches) -> list[dict[str, Any]
 
 
 def _chain(encoder: glb.Encoder, instances: range, sizes: Switches) -> tuple[list[int], dict[str, Any]]:
-    """Add the levels of an object as nodes, linked to the first one.
+    """Add the levels of an object as nodes, to which the first one refers.
 
-    Returns the nodes' numbers, and the field of the document that lists the extension, if it is used.
+    Returns the nodes' numbers, and the document's list of used extensions if there is more than one level.
     """
     nodes = [encoder.place(number) for number in instances]
     if len(nodes) == 1:
@@ -245,5 +245,5 @@ def _move(node: dict[str, Any], origin: tuple[float, float, float]) -> None:
 
 
 def _save(path: Path, data: bytes) -> None:
-    with files.atomic_file(path) as aside:
-        files.write(aside, data)
+    with files.atomic_file(path) as temporary:
+        files.write(temporary, data)

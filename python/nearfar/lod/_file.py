@@ -1,4 +1,4 @@
-"""Files of models: JSON without geometry."""
+"""JSON files of models, without geometry."""
 
 from __future__ import annotations
 
@@ -47,19 +47,19 @@ def _samples(samples: Samples) -> dict[str, Any]:
 
 
 def _rows(values: NDArray[Any]) -> Any:
-    """Nested lists; None for NaN, which JSON lacks; float32 with its shortest digits, which parse to the same value."""
+    """Convert to nested lists: None for NaN, which JSON lacks; float32 by its shortest digits, to keep files small."""
     if values.ndim:
         return [_rows(row) for row in values]
     return None if np.isnan(values) else float(str(values))
 
 
 def read(path: Path) -> dict[str, Any]:
-    """Read the fields of a model, which `LodModel` checks; FormatError or OSError as `fields` and `read_json`."""
+    """Read the fields of a model, which `LodModel` checks further; errors as in `fields` and `read_json`."""
     return fields(formats.read_json(path, NAME, VERSION), path)
 
 
 def fields(document: dict[str, Any], path: Path) -> dict[str, Any]:
-    """Decode a model's fields from the result of `document`; FormatError for another or a damaged document."""
+    """Decode a model's fields from a document that `document` made; FormatError for other or damaged documents."""
     formats.check(document, NAME, VERSION, path)
     with formats.guarded(path):
         levels, samples = document["levels"], document["samples"]

@@ -29,11 +29,11 @@ class Level:
     ratio
         Requested share of the base's triangles.
     error
-        Greatest distance found between its surface and the base's, in either direction, metres; 0 for the base.
+        Greatest distance found between its surface and the base's, in both directions, metres; 0 for the base.
     mean_error
         Area-weighted mean of these distances, metres.
     note
-        Actual triangle count if it differs from the request, and ratios that can't be reached.
+        Actual triangle count if it differs from the requested one, and ratios that could not be reached.
     """
 
     scene: Scene
@@ -65,8 +65,9 @@ class Levels(Sequence[Level]):
     name
         Name of the object.
     frame
-        Matrix (4, 4) from the object's own frame to that of the levels' scenes: if a single object of a scene was
-        simplified, its load transform, whose inverse `Scene.with_levels` applies. Default: the identity.
+        Matrix (4, 4) from the object's own frame to the frame of the levels' scenes, by default the identity. If a
+        scene with a single object was simplified, it is the object's load transform, whose inverse `Scene.with_levels`
+        applies.
     """
 
     def __init__(self, levels: Iterable[Level], *, name: str = "object", frame: ArrayLike | None = None) -> None:
@@ -131,8 +132,8 @@ class Levels(Sequence[Level]):
         return "\n".join([f"{self.name}, radius {self.radius:.4g} m", *rows])
 
 
-def kept_levels(levels: Levels, numbers: Iterable[int]) -> Levels:
-    """Return some of an object's levels, by ascending numbers that start with 0."""
+def pick_levels(levels: Levels, numbers: Iterable[int]) -> Levels:
+    """Return some of an object's levels, given by ascending numbers that start with 0."""
     return Levels([levels[number] for number in numbers], name=levels.name, frame=levels.frame)
 
 

@@ -12,20 +12,20 @@ from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check
 from nearfar._base.settings import set_fields
-from nearfar.lod._levels import Levels, kept_levels, level_numbers
+from nearfar.lod._levels import Levels, level_numbers, pick_levels
 from nearfar.lod._measure import statistic
 from nearfar.lod._measure.fit import Curve4PL
 from nearfar.lod._measure.statistic import Samples
 
 MAX_SCORE = 1e100
-"""Greatest score of a curve: sums of weighted scores of a budget stay finite. An SSIM is at most 1."""
+"""Greatest score of a curve, so that budgets' sums of weighted scores stay finite. SSIM is at most 1."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
 class MeasuredLevels:
     """The data of a `LodModel`, which documents the fields.
 
-    It is a separate class, so that selectors and files do not depend on the methods that use them.
+    It is a separate class so that selectors and files, which `LodModel` uses, can use it without an import cycle.
     """
 
     triangles: NDArray[np.int64]
@@ -86,9 +86,9 @@ class MeasuredLevels:
 
     @cached_property
     def mean_curves(self) -> tuple[Curve4PL, NDArray[np.float64]]:
-        """Curves through the mean over the views, which budgets read, and parameters (K − 1, 4) of curves to add.
+        """Curves of the mean score over the views, for budgets, and parameters (K − 1, 4) of curves to add to them.
 
-        Without scores of views they are `curves`, and 0.
+        Without scores of single views, these are `curves` and curves that are 0 everywhere.
         """
         nothing = np.tile((0.0, 1.0, 1.0, 0.0), (len(self.curves), 1))
         if self.samples is None or self.samples.views is None or not len(self.curves):
@@ -98,9 +98,9 @@ class MeasuredLevels:
 
     @cached_property
     def falling_curves(self) -> Curve4PL:
-        """Curves as thresholds read them: the least score at a size and all smaller ones that were measured.
+        """Curves for thresholds, one for each level except level 0: the least score at a size and all smaller ones.
 
-        There is one for each level except level 0. A curve that rises with size is constant.
+        A curve that rises with size becomes constant, at its value at the least measured size.
         """
         curves = self.curves
         least = curves(np.array([self.sigma[0]]))[:, 0]
@@ -119,7 +119,7 @@ class MeasuredLevels:
             triangles=self.triangles[numbers],
             curves=self.curves[numbers[1:] - 1],
             errors=self.errors[numbers],
-            levels=None if self.levels is None else kept_levels(self.levels, numbers.tolist()),
+            levels=None if self.levels is None else pick_levels(self.levels, numbers.tolist()),
             samples=samples,
         )
 

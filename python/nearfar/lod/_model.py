@@ -30,8 +30,9 @@ if TYPE_CHECKING:
 class LodModel(MeasuredLevels):
     """Levels of an object with their curves, the input of `select`.
 
-    Made by `measure`, or from known curves: `LodModel(triangles=[9000, 800], curves=Curve4PL([1], [1], [1e-3],
-    [0.5]))`. Level 0 is the base, whose score is 1; level i > 0 has the curve `curves[i - 1]`.
+    `measure` makes models. A model of known curves is, for example, `LodModel(triangles=[9000, 800],
+    curves=Curve4PL([1], [1], [1e-3], [0.5]))`. Level 0 is the base, whose score is 1; level i > 0 has the curve
+    `curves[i - 1]`.
 
     Parameters
     ----------
@@ -42,13 +43,13 @@ class LodModel(MeasuredLevels):
     center, radius
         The base's bounding sphere, metres in the object's frame.
     sigma
-        Least and greatest measured solid angle, steradians; by default all. Above the greatest only level 0 is used;
-        below the least, curves keep their value there.
+        Least and greatest measured solid angle, steradians; by default 0 and 4π. Above the greatest only level 0 is
+        used; below the least, curves are constant.
     errors
         Greatest distance of each level (K,) from the base, metres; by default 0.
     pixel
-        Tangent of a pixel in the middle of the picture, for which curves were measured. `select` evaluates curves at
-        sizes in these pixels. None, the default, ignores pixel sizes.
+        Tangent of the angle of a pixel in the middle of the measured pictures. `select` converts sizes to these pixels
+        before it evaluates curves. None, the default, ignores pixel sizes.
     name
         Name of the object.
     levels
@@ -56,7 +57,7 @@ class LodModel(MeasuredLevels):
     measured
         Settings and work of the measurement, in JSON values.
     samples
-        Scores that the curves were fitted to; None if nothing was measured.
+        Scores to which the curves were fitted; None if nothing was measured.
     """
 
     def save(self, path: str | os.PathLike[str]) -> None:
@@ -102,16 +103,16 @@ class LodModel(MeasuredLevels):
         Parameters
         ----------
         path
-            `.glb`: the geometry with `MSFT_lod`, and `MSFT_screencoverage` for the switches: the share of the picture's
-            area covered by the bounding sphere. Programs without the extension show level 0. `.json`: the document of
-            `save`, and `switches`: sizes at which levels take over, in several units (see `switches`). A GLB has that
-            document in its first node's `extras.nearfar`. `load` reads both back, bit for bit; of the levels' scenes it
-            keeps triangles, surfaces and normals, as one object.
+            `.glb`: the geometry with `MSFT_lod`. `MSFT_screencoverage` has the sizes at which levels switch, as shares
+            of the picture's area covered by the bounding sphere. Programs without the extension show level 0. `.json`:
+            the document of `save` with an entry `switches`, which has these sizes in several units (see `switches`). A
+            GLB has the same document in its first node's `extras.nearfar`. `load` reads both back, bit for bit; the
+            scenes of its levels have one object with the triangles, surfaces and normals.
         view, k, d, threshold, quality, floor
             The screen and the threshold, as in `switches`.
         all_levels
-            Write also levels that are never shown, since a coarser one is good enough up to the same or a greater size.
-            They may be shown with another screen or threshold. By default they are left out.
+            Also write levels that are never shown because a coarser one is good enough up to the same or a greater
+            size. Another screen or threshold may show them. By default they are left out.
         """
         target, limit = check.path("path", path, ".glb", ".json"), threshold_of(threshold, k, d, quality)
         heights, all_levels = read_floor(floor), check.flag("all_levels", all_levels)
@@ -120,10 +121,11 @@ class LodModel(MeasuredLevels):
     def refit(self, percentile: float | Mean) -> LodModel:
         """Return the model with curves through another percentile of the same views, or their mean, without rendering.
 
-        `percentile` is 0 to 100, or "mean", as in `MeasureSettings`; in the result's `measured`, "chosen_by" is the one
-        by which levels, and the sizes at which each was measured, were chosen: both stay. If they are all levels and
-        all sizes (`step=None, saturated=None`), the curves are those of `measure` with the new percentile. ValueError
-        and TypeError for an invalid percentile, or a model without scores of single views, `samples.views`.
+        `percentile` is 0 to 100, or "mean", as in `MeasureSettings`. The levels, and the sizes at which each was
+        measured, do not change; "chosen_by" in the result's `measured` is the percentile that chose them. For a model
+        with all levels at all sizes (`step=None, saturated=None`), the curves are those of `measure` with the new
+        percentile. ValueError and TypeError for an invalid percentile, or a model without the scores of single views
+        (`samples.views`).
         """
         percentile = statistic.check_percentile(percentile)
         if self.samples is None or self.samples.views is None:
@@ -134,7 +136,7 @@ class LodModel(MeasuredLevels):
         return replace(self, curves=statistic.curves_through(samples), samples=samples, measured=measured)
 
     def selector(self, mode: Mode) -> Selector:
-        """Return the `Selector` with this mode and default settings, which `nearfar.render` uses for a mode alone."""
+        """Return the `Selector` that `nearfar.render` uses for a mode: all other settings have their defaults."""
         return Selector(mode=mode)
 
     def plot(self, ax: Axes | None = None) -> Axes:
@@ -159,7 +161,7 @@ class LodModel(MeasuredLevels):
         return card.page(title, (), *plots, card.table(rows, header))
 
     def _curve_lines(self, count: int) -> tuple[NDArray[np.float64], NDArray[np.float64], list[str]]:
-        """Sizes in the measured range, or in six decades if it has no lower end; the curves there; their labels."""
+        """Sizes in the measured range, or in six decades if the least size is 0; values of the curves; their labels."""
         low, high = self.sigma
         sigma = np.geomspace(low if low > 0 else 1e-6 * high, high, count)
         return sigma, self.curves(sigma), [f"{count:,}" for count in self.triangles[1:]]

@@ -1,4 +1,4 @@
-"""Makes scenes of models that are placed many times."""
+"""Makes scenes from models that are placed many times."""
 
 from __future__ import annotations
 
@@ -25,10 +25,11 @@ def place(
     names: Sequence[str] | None = None,
     dynamic: Iterable[str] = (),
 ) -> Scene:
-    """Make a scene of models, each placed any number of times; `lod` of `nearfar.render` selects levels, by default 0.
+    """Make a scene in which each model is placed any number of times.
 
-    Placements share the meshes of their model's levels, so that a scene needs only its models' memory. Object n is
-    model `model_index[n]` at `transforms[n]`. ValueError for indices out of range, unusable matrices, lengths that do
+    `lod` of `nearfar.render` selects the levels; by default level 0 is drawn. Placements share the meshes of their
+    model's levels, so the scene takes little more memory than the models. Object n is model `model_index[n]` at
+    `transforms[n]`. ValueError for indices out of range, unusable matrices, lengths that do
     not match, repeated or unknown names, or models without geometry; TypeError for values that are not models, numbers
     or names.
 

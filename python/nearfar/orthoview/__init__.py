@@ -10,7 +10,7 @@ from nearfar.orthoview._prefetch import PrefetchQueue
 from nearfar.orthoview._settings import FlightSettings, ViewSettings, size_for
 from nearfar.orthoview._simulate import FlightLog, simulate
 from nearfar.orthoview._steady import Steady, motion_blur
-from nearfar.orthoview._tree import OrthoTree, open  # noqa: A004 - the name of the public face
+from nearfar.orthoview._tree import OrthoTree, open  # noqa: A004 - a public name
 
 __all__ = [
     "CellChoice",

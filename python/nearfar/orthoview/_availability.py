@@ -3,8 +3,8 @@
 Levels of a tileset count from the root. A subtree holds the cells of some levels below one cell, each level in Morton
 order: the bits of x, y and z interleaved, x lowest. Cells are numbered as in the grid.
 
-Triangles reach beyond the cell that they belong to. The metadata TILE_BOUNDING_BOX states the box of all content of a
-cell and of the cells below it, so that viewers that read it cull nothing visible at the edge of a picture.
+Triangles reach beyond the cell that they belong to. The metadata TILE_BOUNDING_BOX has the box of all content of a cell
+and of the cells below it. Viewers that read it do not cull triangles that are visible at the edge of the picture.
 """
 
 from __future__ import annotations
@@ -35,22 +35,21 @@ CLASS, PROPERTY = "tile", "box"
 _BOX_TYPE = {"type": "SCALAR", "componentType": "FLOAT64", "array": True, "count": 12}
 _BOX_PROPERTY = {**_BOX_TYPE, "required": True, "semantic": "TILE_BOUNDING_BOX"}
 SCHEMA: dict[str, Any] = {"id": "nearfar", "classes": {CLASS: {"properties": {PROPERTY: _BOX_PROPERTY}}}}
-"""Schema of the metadata."""
 
 _HEADER = struct.Struct("<4sIQQ")
 _TO_Z_UP = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
 
 
 def subtree_levels(levels: int) -> int:
-    """Return the levels of a subtree: the lowest subtrees, which are most files, get as many levels as possible."""
+    """Return the levels of a subtree: as many as possible in the lowest subtrees, which are most of the files."""
     return max(_LEVELS, key=lambda count: (levels - 1) % count)
 
 
 def write(folder: Path, levels: int, leaves: NDArray[np.int64], box_of: Callable[[Place], Floats]) -> Floats:
     """Write all subtrees of a tree, from the leaves up; return the bounding box (2, 3) of all leaves.
 
-    `leaves` are those (N, 3) that have content, each once; at least one. `box_of`, which is called once for each of
-    them, returns the bounding box (2, 3) of a leaf's content, world, metres.
+    `leaves` (N, 3) are the leaves that have content, at least one, without duplicates. `box_of` is called once for each
+    and returns the bounding box (2, 3) of its content, world, metres.
     """
     cells: NDArray[np.int64] = leaves
     boxes: Floats | None = None
@@ -124,7 +123,7 @@ def _encode(
 
 
 def start_of(level: int) -> int:
-    """Number of a subtree's cells above a level."""
+    """Number of a subtree's cells above a level, which is also the index of the level's first cell."""
     return ((1 << 3 * level) - 1) // 7
 
 
@@ -150,7 +149,6 @@ class _Views:
         return {"bitstream": self.add(np.packbits(flags, bitorder="little").tobytes()), "availableCount": len(numbers)}
 
     def encoded(self, document: dict[str, Any]) -> bytes:
-        """Encode the subtree's file."""
         complete = {"buffers": [{"byteLength": len(self._data)}], "bufferViews": self._views, **document}
         text = json.dumps(complete, separators=(",", ":")).encode()
         text += b" " * (-len(text) % 8)

@@ -1,4 +1,4 @@
-"""Chooses the splats of a picture within a budget: those of the cut's views, blended where levels overlap."""
+"""Chooses the splats of a picture within a budget: those of a cut's views, blended where levels overlap."""
 
 from __future__ import annotations
 
@@ -15,16 +15,17 @@ from nearfar.orthoview._layout import ViewKey
 from nearfar.orthoview._views import Views
 
 MAX_ERROR_FACTOR = 64.0
-"""Greatest factor by which a budget may raise the given error."""
+"""Greatest factor by which a budget may raise the error of the settings."""
 
 BISECTIONS = 12
 """Bisection steps for the error's logarithm: the last step is 0.1 %."""
 
 MAX_CUTS = 10
-"""Maximum number of cuts tried: a view's number of splats is known only once it is read."""
+"""Maximum number of cuts that are tried: a view's number of splats is known only once it has been read."""
 
 MIN_FILL = 0.98
-"""Share of the budget from which a continuous cut is accepted: where levels blend, counts are estimates at first."""
+"""Least share of the budget that a continuous cut must use to be accepted: before views are read, the number of splats
+in bands where levels blend is an estimate."""
 
 ERROR_RATIO = 1.002
 """Ratio of two errors below which the search between them ends."""
@@ -36,9 +37,9 @@ class Fit:
 
     cut: OrthoCut
     error_px: float
-    """Greatest width of a view's pixels in pixels of the picture, as chosen by the fit."""
+    """Greatest width of a view's pixels in pixels of the picture, which the budget may have raised."""
     layers: list[Sequence[_core.OrthoSplats]]
-    """Splats of each drawn view, by layer."""
+    """Splats of each drawn view, layer by layer."""
 
     @property
     def splats(self) -> list[_core.OrthoSplats]:
@@ -47,7 +48,6 @@ class Fit:
 
     @property
     def count(self) -> int:
-        """Number of splats."""
         return sum(layer.count for layer in self.splats)
 
 
@@ -58,10 +58,10 @@ class Fitter:
         self._cutter, self._views = cutter, views
 
     def fit(self, camera: Camera, settings: Settings) -> Fit:
-        """Find the cut of the least error, not below the settings' error, whose splats fit the budget.
+        """Find the cut with the least error, at least that of the settings, whose splats are within the budget.
 
-        If the splats exceed the budget even at the greatest error, views are left out: those of farther cells first,
-        the third views of all cells before any second one.
+        If no error is large enough, views are left out: the third views of all cells first, then the second ones, and
+        among equals those of the farthest cells first.
         """
         budget = settings.budget
         if budget is None:
@@ -83,7 +83,7 @@ class Fitter:
             is_filled = fitted.count >= MIN_FILL * budget or error == settings.error_px
             if (is_within and is_filled) or high <= low * ERROR_RATIO:
                 break
-            # The number of splats falls with the square of the error.
+            # The number of splats is inversely proportional to the square of the error.
             error *= math.sqrt(max(fitted.count, 1) / budget) * ERROR_RATIO
             if not low < error < high:
                 error = math.sqrt(low * high)
@@ -98,7 +98,7 @@ class Fitter:
         return Fit(cut, settings.error_px, layers)
 
     def _least_error(self, camera: Camera, settings: Settings, max_splats: int) -> float:
-        """Least error at which at most `max_splats` splats are expected."""
+        """Find the least error at which at most `max_splats` splats are expected, by bisection."""
         low, high = math.log(settings.error_px), math.log(settings.error_px * MAX_ERROR_FACTOR)
         if self._expected(camera, settings) <= max_splats:
             return settings.error_px
@@ -109,21 +109,23 @@ class Fitter:
         return math.exp(high)
 
     def _expected(self, camera: Camera, settings: Settings) -> float:
-        """Estimate the number of splats of a cut from the counts of views that are known so far."""
+        """Estimate the number of splats of a cut from the counts known so far."""
         cut = self._cutter.complete_cut(camera, settings)
         keys = cut.keys()
         if not settings.continuous:
-            return sum(map(self._views.expected, keys))
+            return sum(map(self._views.expected_count, keys))
         rule = self._cutter.rule(camera, settings)
         cached = [self._views.cached_layers(key) for key in keys]
         count = _core.expected_orthoviews(_kernel_views(cut, keys, cached), rule)
-        return count + sum(self._views.expected(key) for key, layers in zip(keys, cached, strict=True) if not layers)
+        return count + sum(
+            self._views.expected_count(key) for key, layers in zip(keys, cached, strict=True) if not layers
+        )
 
 
 def _kernel_views(
     cut: OrthoCut, keys: Sequence[ViewKey], layers: Sequence[Sequence[_core.OrthoSplats]]
 ) -> list[tuple[Sequence[_core.OrthoSplats], int, tuple[int, int, int], int, bool]]:
-    """Views that have layers, in the form that the core takes."""
+    """Return the views that have layers, as arguments of the core."""
     rows = zip(keys, layers, cut.parts(), strict=True)
     return [(splats, level, place, n, is_partial) for (level, place, n), splats, is_partial in rows if splats]
 

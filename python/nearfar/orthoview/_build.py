@@ -13,7 +13,7 @@ from nearfar._base.cluster import client_of
 from nearfar._base.settings import gather
 from nearfar._source.protocol import SceneSource, source_of
 from nearfar.orthoview import _on_cluster, _store
-from nearfar.orthoview._choose_cell import choose_cell, finite_bounds, usual
+from nearfar.orthoview._choose_cell import choose_cell, finite_bounds, usual_directions
 from nearfar.orthoview._disocclusion import choose_directions
 from nearfar.orthoview._files import Local
 from nearfar.orthoview._grid import Grid, directions_of
@@ -41,11 +41,11 @@ def build(
     """Build the tree of orthographic depth images of a world.
 
     The world is queried leaf by leaf, depth first: memory holds the scene of one leaf and, for each level, the pictures
-    of one parent, 64 bytes for each pixel of its views. A call that was ended by Ctrl-C, a crash or a failing source
-    resumes when it is repeated with the same arguments; a complete store is opened as it is.
+    of one parent, 64 bytes for each pixel of its views. If a call was ended by Ctrl-C, a crash or a failing source, the
+    same call resumes it. A complete store is opened as it is.
 
     The tree is incomplete if the source failed for a leaf, or could not read a part of it; `OrthoTree.failed` lists
-    these leaves and the reasons. Pictures show what there is; the same call builds these leaves again.
+    these leaves and the reasons. Pictures show the rest; the same call builds these leaves again.
     ValueError for an infinite world without `aabb`, an `aabb` outside the world, too many cells, numbers out of range,
     or a store that was begun with other arguments; TypeError for a value that is not a source, or values that are not
     numbers; SceneError for a source that failed for a thousand leaves; ConnectionError if the cluster's scheduler is
@@ -61,7 +61,8 @@ def build(
     path
         The store, a folder of Zarr v3: new, empty, or one that this function wrote.
     cell
-        Side of the leaves' cubic cells, metres. By default that of `choose_cell`, or of the store that is resumed.
+        Side of the leaves, which are cubes, metres. By default the choice of `choose_cell`, or the side in the store if
+        a build is resumed.
     aabb
         World box (2, 3): only the leaves that cover it are built; sides may be infinite. Default: the whole world.
     geometry
@@ -69,9 +70,9 @@ def build(
         draw near leaves as triangles.
     cluster
         "local" distributes subtrees over one process for each core of this machine, a `distributed.Client` over its
-        workers, which must see `path` as it is here. The source is pickled into the store for them, so a folder of
-        tiles suits better than a scene in memory. Files do not depend on the number of workers. If a worker is lost,
-        another one resumes its subtree.
+        workers, which must see the store at the same `path`. Workers read the source from a pickle in the store, so a
+        folder of tiles suits better than a scene in memory. Files do not depend on the number of workers. If a worker
+        is lost, another one resumes its subtree.
     settings
         The views, as `ViewSettings`.
     keywords
@@ -85,7 +86,7 @@ def build(
     begun = _begun_layout(target)
     if side is None:
         side = (
-            choose_cell(world, aabb=bounds, size=views.size, directions=usual(views)).cell
+            choose_cell(world, aabb=bounds, size=views.size, directions=usual_directions(views)).cell
             if begun is None
             else begun.grid.cell
         )
@@ -94,7 +95,7 @@ def build(
     check_zarr()
     layout = Layout(
         grid,
-        directions_of(_count(views.directions, world, grid, begun)),
+        directions_of(_direction_count(views.directions, world, grid, begun)),
         views.size,
         views.depth_bits,
         views.normal_bits,
@@ -125,16 +126,16 @@ def _build(source: SceneSource, target: Path, layout: Layout, cluster: Any) -> O
 
 
 def _begun_layout(target: Path) -> Layout | None:
-    """Layout of a store that was begun, whose choices a build that resumes keeps; None for a new store."""
+    """Return the layout of a store that was begun; None for a new store."""
     if not (target / _store.DOCUMENT).is_file():
         return None
     attributes = _store.read(Local(target))
     with formats.guarded(target / _store.DOCUMENT):
-        return Layout.from_described(attributes["layout"])
+        return Layout.from_json(attributes["layout"])
 
 
-def _count(directions: int | Literal["auto"], source: SceneSource, grid: Grid, begun: Layout | None) -> int:
-    """Number of directions; for "auto" that of a store that was begun, else the measured choice."""
+def _direction_count(directions: int | Literal["auto"], source: SceneSource, grid: Grid, begun: Layout | None) -> int:
+    """Return the number of directions; for "auto", that of a store that was begun, or else the measured choice."""
     if directions != "auto":
         return directions
     return choose_directions(source, grid).count if begun is None else len(begun.directions)

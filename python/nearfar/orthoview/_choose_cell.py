@@ -1,4 +1,4 @@
-"""Chooses the side of leaves by a few sampled leaves, and estimates how long a build takes."""
+"""Chooses the side of leaves from a few sampled leaves, and estimates how long a build takes."""
 
 from __future__ import annotations
 
@@ -22,25 +22,25 @@ from nearfar.orthoview._leaves import render_leaf
 from nearfar.orthoview._settings import MAX_SIZE, ViewSettings
 
 NEAR_TRIANGLES = 1_000_000
-"""Triangles that the leaves near a viewer, which are drawn as geometry, may have in all directions."""
+"""Maximum number of triangles of all leaves near a viewer, which are drawn as geometry."""
 
 MAX_LEAVES = 2000
-"""Greatest expected number of leaves that may contain something; each takes a tenth of a second at least."""
+"""Maximum expected number of leaves that may contain something; each takes at least a tenth of a second."""
 
 DISPLAY = 1920
-"""Width of the display for which leaves are chosen, pixels, with a field of view of 90°."""
+"""Width in pixels of the assumed display, whose field of view is 90°."""
 
 SAMPLED_LEAVES = 12
-"""Number of leaves whose triangles are counted for a side."""
+"""Number of leaves whose triangles are counted for each side that is tried."""
 
 SAMPLED_TRIANGLES = 3_000_000
-"""Number of triangles from which no further leaf is counted."""
+"""Sampling ends early once the leaves have this many triangles."""
 
 TIMED_LEAVES = 5
 """Number of leaves that are built to estimate the duration of a build."""
 
 PARENTS_SHARE = 0.1
-"""Time that the cells above the leaves take, as a share of that of the leaves."""
+"""Time for the cells above the leaves, as a share of the time for the leaves."""
 
 _FIRST_SHARE = 64
 """The first side that is tried is about the world's greatest extent divided by this number."""
@@ -51,16 +51,16 @@ _STEPS = (1.0, 2.0, 5.0)
 
 @dataclass(frozen=True)
 class CellChoice:
-    """Side of leaves that `choose_cell` chose, and why; `str` explains it."""
+    """Side of the leaves that `choose_cell` chose, with its reasons; `str` explains the choice."""
 
     cell: float
     """Side of the leaves, metres."""
     triangles: float
-    """Mean number of triangles of the sampled leaves of this side; of a scene in memory, mostly dense leaves."""
+    """Mean number of triangles of sampled leaves of this side. A scene in memory is sampled mostly at dense leaves."""
     leaves: int
     """Expected number of leaves that may contain something."""
     finer: float | None = None
-    """Side, metres, that would suit the sampled leaves' triangles, if it would need too many leaves; else None."""
+    """Side in metres that suits the number of triangles but needs too many leaves; None if that is the chosen side."""
 
     def __str__(self) -> str:
         chosen = f"leaves of {self.cell:g} m with about {self.triangles:,.0f} triangles, about {self.leaves:,} of them"
@@ -81,24 +81,24 @@ def choose_cell(
 ) -> CellChoice:
     """Choose the side of the leaves with which `build` builds a world by default.
 
-    Leaves within the distance from which their views are as fine as a display (1920 pixels, 90°) are drawn as geometry.
-    The side is the greatest one with which these have at most a million triangles, if each has as many as the mean of
-    12 sampled leaves; but so great that at most about 2,000 leaves may contain something. Sides are 1, 2 or 5 times a
-    power of ten. The same arguments give the same side. Errors as in `build`.
+    Viewers draw near leaves as geometry, up to the distance at which views become as fine as a display of 1920 pixels
+    and 90°. The chosen side is the greatest one with which these leaves have at most a million triangles, as estimated
+    from 12 sampled leaves. If more than about 2,000 leaves of that side may contain something, a greater side is
+    chosen. Sides are 1, 2 or 5 times a power of ten. The same arguments give the same side. Errors as in `build`.
 
     Parameters
     ----------
     source, aabb, size, directions
-        As in `build`. Coarser views are fine enough only farther away, and need smaller leaves.
+        As in `build`. With coarser views more leaves are drawn as geometry, so the leaves must be smaller.
     """
     world, pixels = source_of("source", source), check.integer("size", size, 4, MAX_SIZE)
     bounds = finite_bounds(world, None if aabb is None else check.box("aabb", aabb))
     reach = widest(directions_of(directions)) / pixels * DISPLAY / 2
-    # Leaves of a plane that a circle about a viewer touches, if its radius is `reach` sides.
+    # A circle about a viewer in a plane of leaves touches 1 + 4 r + π r² of them, r its radius in sides of a leaf.
     max_triangles = NEAR_TRIANGLES / (1 + 4 * reach + math.pi * reach**2)
     extent = float((bounds[1] - bounds[0]).max())
     with progress.bar("leaf size"):
-        finer, triangles = _by_triangles(world, bounds, extent, max_triangles)
+        finer, triangles = _side_by_triangles(world, bounds, extent, max_triangles)
         step = _step_of(finer)
         while (leaves := _sampling.expected_leaves(world, grid := Grid.from_bounds(bounds, _side(step)))) > MAX_LEAVES:
             step += 1
@@ -107,8 +107,8 @@ def choose_cell(
     return CellChoice(_side(step), triangles, leaves, None if _side(step) == finer else finer)
 
 
-def usual(views: ViewSettings) -> int:
-    """Number of directions of views, 9 while it is not chosen yet."""
+def usual_directions(views: ViewSettings) -> int:
+    """Return the number of directions; 9 for "auto", whose number is chosen later."""
     return 9 if isinstance(views.directions, str) else views.directions
 
 
@@ -123,12 +123,12 @@ def finite_bounds(source: SceneSource, box: NDArray[np.float64] | None) -> NDArr
     return bounds
 
 
-def _by_triangles(
+def _side_by_triangles(
     source: SceneSource, bounds: NDArray[np.float64], extent: float, max_triangles: float
 ) -> tuple[float, float]:
-    """Greatest side whose sampled leaves have at most `max_triangles` on average, and that number.
+    """Return the greatest side whose sampled leaves have at most `max_triangles` on average, and their average.
 
-    The side of a world that is empty, or has few triangles, is at least the world's extent.
+    In a world that is empty or has few triangles it is at least the world's extent.
     """
     last = _step_of(max(extent, 1e-3))
     step = min(_step_of(max(extent, 1e-3) / _FIRST_SHARE), last)
@@ -151,16 +151,11 @@ def _mean_triangles(source: SceneSource, grid: Grid) -> float:
     counts: list[int] = []
     # Many sampled leaves of a sparse source are empty.
     for place in islice(_sampling.leaves(source, grid), 8 * SAMPLED_LEAVES):
-        if count := _triangles(source, grid, place):
-            counts.append(count)
+        if (part := _query(source, grid, place)) is not None and part.triangle_count:
+            counts.append(part.triangle_count)
         if len(counts) == SAMPLED_LEAVES or sum(counts) >= SAMPLED_TRIANGLES:
             break
     return float(np.mean(counts)) if counts else 0.0
-
-
-def _triangles(source: SceneSource, grid: Grid, place: Place) -> int:
-    part = _query(source, grid, place)
-    return 0 if part is None else part.triangle_count
 
 
 def _query(source: SceneSource, grid: Grid, place: Place) -> Scene | None:
@@ -172,13 +167,13 @@ def _query(source: SceneSource, grid: Grid, place: Place) -> Scene | None:
 
 
 def _side(step: int) -> float:
-    """Side of leaves by its number: 1, 2, 5, 10 … metres from 0 on."""
+    """Side with a number in the series 1, 2, 5, 10 … metres, which begins with number 0."""
     power, digit = divmod(step, len(_STEPS))
     return float(f"{_STEPS[digit]:g}e{power}")
 
 
 def _step_of(length: float) -> int:
-    """Number of the least side that is at least a length, metres."""
+    """Number of the least side in the series that is at least a length, metres."""
     step = len(_STEPS) * (math.floor(math.log10(length)) - 1)
     while _side(step) < length:
         step += 1
@@ -188,17 +183,17 @@ def _step_of(length: float) -> int:
 def expected_seconds(
     source: SceneSource, cell: float, *, aabb: ArrayLike | None, settings: ViewSettings, geometry: bool
 ) -> tuple[int, float]:
-    """Expected number of leaves that may contain something, and seconds of one process to build them all.
+    """Estimate the number of leaves that may contain something, and the seconds that one process takes to build all.
 
-    A few leaves, spread evenly over those that may contain something, are built and timed. Arguments as in `build`.
+    Builds and times a few leaves that are spread over the world. Arguments as in `build`.
     """
     bounds = finite_bounds(source, None if aabb is None else check.box("aabb", aabb))
     grid, seconds = Grid.from_bounds(bounds, cell), []
-    directions = directions_of(usual(settings))
+    directions = directions_of(usual_directions(settings))
     bits = settings.depth_bits, settings.normal_bits
     layout = Layout(grid, directions, settings.size, *bits, 1, geometry=geometry, layers=settings.layers)
     count = _sampling.expected_leaves(source, grid)
-    for place in islice(_sampling.spread(source, grid), TIMED_LEAVES):
+    for place in islice(_sampling.spread_leaves(source, grid), TIMED_LEAVES):
         started = time.monotonic()
         part = _query(source, grid, place)
         if part is not None:

@@ -1,4 +1,4 @@
-"""Chunks of a complete store, each from the newest generation that has it."""
+"""Reads chunks of views and geometry files, each from the newest generation that has it."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from nearfar._base.recent import Recent
 from nearfar.orthoview import _shard
 from nearfar.orthoview._files import ByteRange, Files
 from nearfar.orthoview._grid import Place
-from nearfar.orthoview._index import ABSENT, Index, ListedShard, unpack_index
+from nearfar.orthoview._index import ABSENT, Index, ShardEntry, unpack_index
 from nearfar.orthoview._layout import Key, Layout
 
 MAX_INDEXES = 2048
@@ -24,19 +24,14 @@ class Generation:
 
     folder: str
     """Path below the store with a trailing slash; empty for the store itself."""
-    shard: Callable[[str], ListedShard | None] | None
-    """Returns the entry of a shard, by path below the folder; None for a shard that it does not have. Without this
-    function shards are unknown: each is looked up in the folder, and its index is read from its end."""
-    has_geometry: Callable[[str], bool] | None
-    """Whether it has a geometry file, likewise."""
-
-
-UNLISTED = Generation("", None, None)
-"""The first generation, if its files are unknown."""
+    shard: Callable[[str], ShardEntry | None]
+    """Returns the recorded entry of a shard, by its path below the folder; None if the generation lacks the shard."""
+    has_geometry: Callable[[str], bool]
+    """Whether the generation has a geometry file, by its path below the folder."""
 
 
 class Chunks:
-    """Reads chunks of a store, whose newest generation is the first one; thread-safe."""
+    """Reads chunks of a store; `generations` are listed newest first. Thread-safe."""
 
     def __init__(self, files: Files, layout: Layout, generations: Sequence[Generation]) -> None:
         self._files, self._layout, self._generations = files, layout, generations
@@ -50,8 +45,7 @@ class Chunks:
     def read(self, keys: Sequence[Key]) -> list[bytes | None]:
         """Read chunks; None for missing ones.
 
-        Raises UnusableError for a shard that ends too early or whose index is damaged, OSError for one that cannot be
-        read.
+        Raises UnusableError for a shard that is gone or ends too early, OSError for one that cannot be read.
         """
         ranges = self.locate(keys)
         parts = iter(self._files.read_parts([byte_range for byte_range in ranges if byte_range is not None]))
@@ -66,17 +60,16 @@ class Chunks:
     def geometry(self, name: str) -> bytes | None:
         """Read a geometry file; None if it does not exist, or if an update removed it."""
         for generation in self._generations:
-            if generation.has_geometry is None or generation.has_geometry(name):
+            if generation.has_geometry(name):
                 content = self._files.read(generation.folder + name)
-                if content is None and generation.has_geometry is not None:
+                if content is None:
                     raise UnusableError(f"{generation.folder}{name}: the file is gone")
                 return content or None
         return None
 
     def has_geometry(self, name: str) -> bool:
-        """Whether any generation has, or may have, a geometry file."""
-        checks = (generation.has_geometry for generation in self._generations)
-        return any(has_geometry is None or has_geometry(name) for has_geometry in checks)
+        """Whether any generation has a geometry file."""
+        return any(generation.has_geometry(name) for generation in self._generations)
 
     def lengths(self, keys: Sequence[Key]) -> list[int]:
         """Lengths of chunks, bytes; 0 for missing ones."""
@@ -85,31 +78,23 @@ class Chunks:
     def locate(self, keys: Sequence[Key]) -> list[ByteRange | None]:
         """Byte ranges of chunks in files; None for missing ones."""
         ranges: dict[Key, ByteRange | None] = {}
-        with self._lock:  # no other thread may evict indexes meanwhile
+        with self._lock:  # other threads must not evict indexes meanwhile
             for generation in self._generations:
                 paths = {key: self._layout.shard_path(key) for key in keys if key not in ranges}
-                self._load(generation, {path: self._layout.shard_side(key[0]) for key, path in paths.items()})
                 for key, path in paths.items():
-                    index = self._indexes.get(name := generation.folder + path)
+                    index = self._index(generation, path, self._layout.shard_side(key[0]))
                     if index is None:
                         continue
                     first, length = (int(number) for number in index[self._layout.shard_of(*key[:2])[1]])
                     if first != ABSENT:
-                        ranges[key] = ByteRange(name, first, length) if length else None
+                        ranges[key] = ByteRange(generation.folder + path, first, length) if length else None
             self._indexes.trim((), MAX_INDEXES)
         return [ranges.get(key) for key in keys]
 
-    def _load(self, generation: Generation, sides: dict[str, int]) -> None:
-        """Take the indexes of shards that are not cached from the records, or read them in one batch of requests."""
-        sides = {path: side for path, side in sides.items() if generation.folder + path not in self._indexes}
-        if generation.shard is not None:
-            for path, side in sides.items():
-                listed, name = generation.shard(path), generation.folder + path
-                index = None if listed is None else unpack_index(name, listed.chunks, side)
-                self._indexes.put(name, index)
-            return
-        lengths = {generation.folder + path: _shard.index_length(side) for path, side in sides.items()}
-        parts = self._files.read_parts([ByteRange(name, -length, length) for name, length in lengths.items()])
-        for name, side, end in zip(lengths, sides.values(), parts, strict=True):
-            address = f"{self._files.address}/{name}"
-            self._indexes.put(name, None if end is None else _shard.index_of(address, end, side))
+    def _index(self, generation: Generation, path: str, side: int) -> Index | None:
+        """Return the index of a shard of side³ chunks; None if the generation lacks the shard."""
+        name = generation.folder + path
+        if name not in self._indexes:
+            listed = generation.shard(path)
+            self._indexes.put(name, None if listed is None else unpack_index(name, listed.chunks, side))
+        return self._indexes.get(name)

@@ -15,8 +15,8 @@ from nearfar.orthoview._layout import CONNECTION_BITS, Channels, Layout
 from nearfar.orthoview._shard import CHECKSUM_BYTES, checksum
 
 CONNECTION_LIMITS = (4.0, 0.5, 0.7)
-"""Thresholds for connected pixels: τ₁ in pixels (a plane at up to 70° from across the view), τ₂ = cos 60° between a
-normal and the vector to the neighbour, τ₃ = cos 46° between normals."""
+"""Thresholds for connected pixels: τ₁ in pixels (planes tilted by up to 70° meet it), τ₂ = cos 60° between a normal and
+the vector to the neighbour, τ₃ = cos 46° between normals."""
 
 Encoded = dict[int, bytes]
 """Compressed chunks of a cell's views by direction number; empty views have none."""
@@ -25,11 +25,11 @@ Layer = tuple[_core.OrthoViews, NDArray[np.uint8]]
 """One layer of some views, and the connections (D, size, size, 1) of their pixels."""
 
 MIN_UNSEEN_SHARE = 0.01
-"""Least share of a view's pixels that only its second layer, and no first layer of any view, must show to be kept."""
+"""A view keeps its second layer if more than this share of its pixels gain a surface that no first layer shows."""
 
 
 def drop_unneeded_layers(views: _core.OrthoViews, layout: Layout) -> _core.OrthoViews:
-    """Drop second layers that show little that no first layer shows."""
+    """Drop second layers that add hardly any surface to the first layers."""
     if layout.layers == 1:
         return views
     return views.keep_behind([unseen_share > MIN_UNSEEN_SHARE for unseen_share in views.unseen()])
@@ -46,8 +46,8 @@ def encode(views: _core.OrthoViews | None, layout: Layout) -> Encoded:
     missing = layout.layers - len(layers)
 
     def chunk(number: int) -> bytes:
-        of_view = (np.stack([layer[part][number] for layer in layers]) for part in range(3))
-        padded = (np.concatenate([part, np.zeros((missing, *part.shape[1:]), part.dtype)]) for part in of_view)
+        channels = (np.stack([layer[part][number] for layer in layers]) for part in range(3))
+        padded = (np.concatenate([part, np.zeros((missing, *part.shape[1:]), part.dtype)]) for part in channels)
         return _compress(Channels(*padded), layout)
 
     numbers = [number for number, is_empty in enumerate(views.empty()) if not is_empty]
@@ -96,7 +96,7 @@ def decode_cell(chunks: Encoded, layout: Layout) -> _core.OrthoViews | None:
 def decode(chunks: Encoded, layout: Layout, numbers: Sequence[int] | None = None) -> list[Layer]:
     """Decode the first layer of a cell's views, and the second one if any view has it.
 
-    Missing chunks show nothing. `numbers` are those of the views' directions; by default all.
+    Missing chunks show nothing. `numbers` are direction numbers of the views to decode; by default all.
     """
     numbers = range(len(layout.directions)) if numbers is None else numbers
     empty = layout.split(np.zeros(layout.view_bytes, np.uint8))

@@ -1,4 +1,4 @@
-"""Copies a store's newest generation into a new store, which is plain Zarr; compares stores with their records."""
+"""Copies a store's newest generation into a new store of plain Zarr; compares a store's files with its records."""
 
 from __future__ import annotations
 
@@ -6,8 +6,7 @@ import hashlib
 import os
 import shutil
 from collections import defaultdict
-from collections.abc import Iterator
-from contextlib import contextmanager, suppress
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -17,24 +16,23 @@ from nearfar.orthoview import _store
 from nearfar.orthoview._files import Files, Local
 from nearfar.orthoview._geometry_store import FOLDER as GEOMETRY, IMAGES, names
 from nearfar.orthoview._grid import Place
-from nearfar.orthoview._index import ListedShard
-from nearfar.orthoview._layout import FOLDER, Key, Layout
+from nearfar.orthoview._index import ShardEntry
+from nearfar.orthoview._layout import FOLDER, Key, Layout, SubtreeKey
 from nearfar.orthoview._presence import Presence
-from nearfar.orthoview._shard import ShardWriter
-from nearfar.orthoview._subtree import (
+from nearfar.orthoview._record import (
     NO_HASH,
-    Described,
     Shards,
+    list_geometry,
     record_document,
     record_of,
-    size_and_hash,
     write_record,
 )
+from nearfar.orthoview._shard import ShardWriter
 
 
 def compact(store: Files, attributes: dict[str, Any], target: Path) -> None:
     """Write the newest generation of a complete store as a new store; see `OrthoTree.compact`."""
-    layout, newest = Layout.from_described(attributes["layout"]), int(attributes["generation"])
+    layout, newest = Layout.from_json(attributes["layout"]), int(attributes["generation"])
     with _store.new_folder(target) as folder, progress.bar("compacting") as report:
         _store.create(folder, layout)
         (folder / FOLDER).mkdir()
@@ -50,29 +48,28 @@ def compact(store: Files, attributes: dict[str, Any], target: Path) -> None:
 _BATCH = 64
 """Number of chunks read at once."""
 
-Subtree = tuple[int, Place]
-"""Tier and place of a subtree."""
-
 
 class _Copy:
+    """Writes the newest generation of a store into a new store, subtree by subtree."""
+
     def __init__(self, store: Files, layout: Layout, newest: int, folder: Path) -> None:
         self._store, self._layout, self._folder = store, layout, folder
         self._chunks, self._read_cells = _store.open_generation(store, layout, newest)
-        self._records = list(_store.recorded(store, newest))
+        self._records = list(_store.folder_records(store, newest))
         self._size_and_digest = {
-            path: (listed.size, listed.digest) for recorded in self._records for path, listed in recorded.shards.items()
+            path: (shard.size, shard.digest) for record in self._records for path, shard in record.shards.items()
         }
         self._geometry = self._newest_geometry()
 
-    def subtrees(self) -> dict[Subtree, dict[str, ListedShard | None]]:
-        """Shards of all subtrees by path, with their entries if no update changed them, else None."""
-        subtrees: defaultdict[Subtree, dict[str, ListedShard | None]] = defaultdict(dict)
-        for recorded in self._records:
-            for path, listed in recorded.shards.items():
-                subtrees[self._layout.subtree_of(path)][path] = None if recorded.folder else listed
-            if not recorded.folder and recorded.name and not recorded.shards:  # an empty subtree
-                tier, *place = map(int, recorded.name.split("_"))
-                subtrees.setdefault((tier, (place[0], place[1], place[2])), {})
+    def subtrees(self) -> dict[SubtreeKey, dict[str, ShardEntry | None]]:
+        """Return the shards of all subtrees by path, with their entries, or None for shards that updates changed."""
+        subtrees: defaultdict[SubtreeKey, dict[str, ShardEntry | None]] = defaultdict(dict)
+        for record in self._records:
+            for path, shard in record.shards.items():
+                subtrees[self._layout.subtree_of(path)][path] = None if record.folder else shard
+            if not record.folder and record.name and not record.shards:  # an empty subtree
+                tier, x, y, z = map(int, record.name.split("_"))
+                subtrees.setdefault((tier, (x, y, z)), {})
         for path in self._geometry:
             if path.endswith(".glb"):
                 x, y, z = (int(number) >> self._layout.subtree for number in path[:-4].split("/")[-3:])
@@ -82,21 +79,22 @@ class _Copy:
     def _newest_geometry(self) -> dict[str, str]:
         """Map the names of geometry files in the copy to their paths below the store."""
         sources: dict[str, str] = {}
-        for recorded in self._records:
-            for path, (size, digest) in recorded.geometry.items():
+        for record in self._records:
+            for path, (size, digest) in record.geometry.items():
                 sources.pop(path, None)
-                if size:
-                    sources[path] = recorded.folder + path
-                    self._size_and_digest[recorded.folder + path] = size, digest
+                if size:  # an update lists removed files with size 0
+                    sources[path] = record.folder + path
+                    self._size_and_digest[record.folder + path] = size, digest
         return sources
 
-    def write(self, subtree: Subtree, shards: dict[str, ListedShard | None]) -> None:
-        """Write a subtree's shards and its record."""
-        presence = Presence(self._layout, subtree[0])
+    def write(self, subtree: SubtreeKey, shards: dict[str, ShardEntry | None]) -> None:
+        """Write a subtree's shards, the geometry of its leaves, and its record."""
+        tier, place_of_subtree = subtree
+        presence = Presence(self._layout, tier)
         written: Shards = {}
         for path, listed in sorted(shards.items()):
             level, array = int(path.partition("/")[0]), "/".join(path.split("/")[:2])
-            keys = [(level, place, array) for place in self._places(level, subtree[1])]
+            keys = [(level, place, array) for place in self._places(level, place_of_subtree)]
             with formats.guarded(self._store.address, "orthoviews"):
                 for key, length in zip(keys, self._chunks.lengths(keys), strict=True):
                     presence.add(key, length)
@@ -106,19 +104,11 @@ class _Copy:
                     self._copy(path, path)
             if listed is not None:
                 written[path] = listed
-        record, guests = record_of(self._folder, *subtree), self._read_cells(*subtree).guests
-        write_record(record, record_document(written, self._leaves(subtree), presence, guests))
-
-    def _leaves(self, subtree: Subtree) -> Described:
-        """Copy the geometry of a subtree's leaves; return sizes and hashes."""
-        tier, shard = subtree
-        if not self._layout.geometry or tier:
-            return {}
-        places = sorted(self._places(0, shard))
-        paths = [name for place in places for name in names(self._layout.grid, place) if name in self._geometry]
-        for path in paths:
+        leaves = [] if tier else self._places(0, place_of_subtree)
+        for path in (name for place in leaves for name in names(self._layout.grid, place) if name in self._geometry):
             self._copy(self._geometry[path], path)
-        return {path: size_and_hash(self._folder / path) for path in paths}
+        geometry, guests = list_geometry(self._folder, self._layout, leaves), self._read_cells(*subtree).guests
+        write_record(record_of(self._folder, *subtree), record_document(written, geometry, presence, guests))
 
     def images(self) -> None:
         """Copy the textures of the geometry."""
@@ -131,8 +121,8 @@ class _Copy:
         subtree = self._layout.subtree
         return list(self._layout.grid.descendants((level // subtree + 1) * subtree, shard, level))
 
-    def _merge(self, path: str, level: int, keys: list[Key]) -> ListedShard | None:
-        """Write a shard of the newest chunks; None if there are none."""
+    def _merge(self, path: str, level: int, keys: list[Key]) -> ShardEntry | None:
+        """Write a shard of the newest chunks, and return its entry; None if there are no chunks."""
         writer, is_empty = ShardWriter(self._folder / path, self._layout.shard_side(level)), True
         for start in range(0, len(keys), _BATCH):
             batch = keys[start : start + _BATCH]
@@ -150,29 +140,27 @@ class _Copy:
             with suppress(OSError):
                 os.link(self._store.folder / source, target)
                 return
-            with _naming_lost(self._store, source):
+            try:
                 shutil.copyfile(self._store.folder / source, target)
+            except FileNotFoundError:
+                raise _lost(self._store, source) from None
             return
         files.write(target, _read_checked(self._store, source, *self._size_and_digest[source]))
 
 
-@contextmanager
-def _naming_lost(store: Files, name: str) -> Iterator[None]:
-    try:
-        yield
-    except FileNotFoundError:
-        raise FormatError(f"{store.address}/{name}: damaged orthoviews: the file is gone") from None
+def _lost(store: Files, name: str) -> FormatError:
+    return FormatError(f"{store.address}/{name}: damaged orthoviews: the file is gone")
 
 
 def verify(store: Files, newest: int) -> int:
     """Check the size and the SHA-256 of all shards and geometry files; return their number.
 
-    Files of subtrees in work are listed by their size alone.
+    Records of unfinished subtrees list files by their size alone.
     """
     listed = [
-        (recorded.folder + path, size, digest)
-        for recorded in _store.recorded(store, newest)
-        for path, size, digest in recorded.files()
+        (record.folder + path, size, digest)
+        for record in _store.folder_records(store, newest)
+        for path, size, digest in record.files()
     ]
     with progress.bar("checking") as report:
         for done, (name, size, digest) in enumerate(listed, 1):
@@ -185,7 +173,7 @@ def _read_checked(store: Files, name: str, size: int, digest: str) -> bytes:
     """Read a file; FormatError if its size, or its SHA-256 if known, is not the recorded one."""
     content = store.read(name)
     if content is None:
-        raise FormatError(f"{store.address}/{name}: damaged orthoviews: the file is gone")
+        raise _lost(store, name)
     if len(content) != size:
         raise FormatError(f"{store.address}/{name}: damaged orthoviews: expected {size} bytes, got {len(content)}")
     if digest != NO_HASH and hashlib.sha256(content).hexdigest() != digest:

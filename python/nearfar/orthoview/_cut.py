@@ -25,7 +25,8 @@ MAX_VIEWS = 8
 """Greatest number of views of a cell."""
 
 BAND = 0.25
-"""Width of the distance band in which a level's splats replace finer ones, as a share of its nearest distance."""
+"""Width of the distance band in which a level gradually replaces the finer one, as a share of the distance at which the
+band begins."""
 
 
 @dataclass(frozen=True)
@@ -45,7 +46,7 @@ class Settings:
     budget: int | None = None
     """Greatest number of splats; None for no limit."""
     lift_deg: float = 0.0
-    """Degrees by which the viewer's direction is raised towards the zenith before views are chosen by it."""
+    """Degrees by which the viewer's direction is raised towards the zenith before views are chosen."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,13 +58,13 @@ class OrthoCut:
     place: NDArray[np.int64]
     """Place of each cell (N, 3)."""
     directions: NDArray[np.int8]
-    """Direction numbers that each cell is drawn from (N, views), the nearest first; −1 where fewer show anything."""
+    """Direction numbers of the views that each cell is drawn from (N, views), nearest first; −1 for missing ones."""
     distance: NDArray[np.float64]
     """Distance of each cell's nearest point from the viewer (N,), metres."""
     in_picture: NDArray[np.bool_]
     """Whether each cell lies in the picture, at least partly (N,)."""
     partial: NDArray[np.bool_]
-    """Whether only some of a cell's splats are drawn, and finer cells in place of the others (N,)."""
+    """Whether only some of a cell's splats are drawn, and finer cells replace the others (N,)."""
     leaves: NDArray[np.int64]
     """Places of the leaves that are drawn as geometry (M, 3)."""
     leaf_distance: NDArray[np.float64]
@@ -71,12 +72,13 @@ class OrthoCut:
     leaf_in_picture: NDArray[np.bool_]
     """Whether each leaf lies in the picture, at least partly (M,)."""
     reach: float
-    """Distance beyond which leaves are drawn from views, metres; 2ᵏ times that for level k; less away from a gaze.
-    For parallel rays, a ratio instead: pixel width of a leaf's views in the picture divided by `error_px`."""
+    """Distance beyond which leaves are drawn from views, metres; level k is drawn beyond 2ᵏ times this distance. It is
+    shorter away from a gaze. For parallel rays it is the ratio of a leaf's pixel width in the picture to `error_px`."""
     unknown: list[tuple[int, Place]] = field(default_factory=list, repr=False)
-    """Tiers and places of subtrees still to be read; until then coarser cells are drawn. Empty in complete cuts."""
+    """Tiers and places of subtrees that must still be read; until then coarser cells replace them. Empty in complete
+    cuts."""
     unbuilt: int = 0
-    """Number of cells, the largest ones, that an unfinished build has not reached; they may be empty."""
+    """Number of cells, as large as possible, that an unfinished build has not reached; they may be empty."""
 
     def __len__(self) -> int:
         """Number of cells that are drawn from views."""
@@ -106,7 +108,7 @@ class OrthoCut:
 
 
 class Cutter:
-    """Cuts a tree; `read` reads the cells of a subtree, by its tier and place, on demand."""
+    """Cuts a tree; `read` is called for the cells of a subtree, by its tier and place, when they are needed."""
 
     def __init__(self, layout: Layout, read: Callable[[int, Place], Cells]) -> None:
         grid = layout.grid
@@ -118,7 +120,6 @@ class Cutter:
 
     @property
     def grid(self) -> Grid:
-        """Grid of the tree's cells."""
         return self._layout.grid
 
     def knows(self, tier: int, place: Place) -> bool:
@@ -126,14 +127,14 @@ class Cutter:
         return (tier, place) in self._known
 
     def with_guests(self, leaves: Sequence[Place]) -> list[Place]:
-        """Return leaves and the other leaves whose files hold triangles that reach into them, their guests."""
+        """Return leaves and their guests: other leaves whose files have triangles that reach into them."""
         leaves_and_guests = [leaf for place in leaves for leaf in (place, *self._guests.get(place, []))]
         return list(dict.fromkeys(leaves_and_guests))
 
     def learn(self, tier: int, place: Place) -> None:
         """Read a subtree."""
         cells = self._read(tier, place)
-        self._guests |= cells.guests  # before the cells: other threads may cut meanwhile
+        self._guests |= cells.guests  # before the cells, since other threads may cut meanwhile
         self._cells.add(tier, place, [mask.reshape(-1) for mask in cells.masks])
         self._known.add((tier, place))
 
@@ -169,7 +170,7 @@ class Cutter:
         )
 
     def complete_cut(self, camera: Camera, settings: Settings, *, around: bool = False) -> OrthoCut:
-        """As `cut`, but first read all subtrees that the cut needs."""
+        """Read all subtrees that the cut needs, and return the cut."""
         while True:
             cut = self.cut(camera, settings, around=around)
             for tier, place in cut.unknown:
@@ -191,8 +192,8 @@ MAX_GRID = 8
 
 
 Part = ViewKey
-"""Level, place and direction of a view. The direction `GEOMETRY` stands for the geometry of a leaf, `RECORD` for the
-record of a subtree, whose tier and place come first."""
+"""Level, place and direction of a view. With the direction `GEOMETRY` the part is the geometry of a leaf; with `RECORD`
+it is the record of a subtree, and the first two fields are its tier and place."""
 
 GEOMETRY, RECORD = -1, -2
 

@@ -1,4 +1,4 @@
-"""Measures how much of a world its views hide from viewers (disocclusion); chooses a set of directions by that.
+"""Measures the share of visible surfaces that views lack (disocclusion), and chooses a set of directions by it.
 
 A client draws a far cell from the 3 directions of the set that are nearest to its viewing direction. Surfaces of
 the cell that the viewer sees but none of the 3 views shows are holes in its picture.
@@ -31,36 +31,36 @@ COUNTED_LEAVES = 32
 """Number of sampled leaves whose triangles are counted."""
 
 MIN_LEAVES, MAX_LEAVES = 4, 16
-"""Fewest and most leaves whose views are rendered."""
+"""Least and greatest number of leaves whose views are rendered."""
 
 MAX_TRIANGLES = 1_000_000
-"""Number of their triangles beyond which only the fewest leaves are taken."""
+"""No further leaf is rendered once the leaves have this many triangles, except for the first `MIN_LEAVES`."""
 
 SIZE = 128
-"""Size of their views, pixels."""
+"""Width and height of the rendered views, pixels."""
 
 RAYS = 48
-"""Rays along a leaf's side, for each viewer."""
+"""Number of rays along a leaf's side, for each viewer."""
 
 GOOD_DISOCCLUSION = 0.035
 """Disocclusion that counts as good enough."""
 
 MIN_IMPROVEMENT = 0.01
-"""Least improvement of disocclusion that justifies a larger set."""
+"""Least decrease of disocclusion that justifies a larger set."""
 
 DEFAULT_COUNT = 9
-"""Set for a world in which nothing was found."""
+"""Number of directions for a world in which nothing was found."""
 
 _MAX_DEPTH_DIFFERENCE_PX = 2.0
-"""Greatest difference in depth between a point and a pixel beside it of the same surface, in pixels of a view.
+"""Greatest difference in depth between a point and a neighbouring pixel of the same surface, in pixels of a view.
 
-The same reach as in the kernel that reduces views: 4 pixels of a picture of twice the size. The depths of a view
-are those of points that lie a pixel apart, so the nearest of them is at most √½ pixel away: a plane's depth differs by
-2 pixels where the angle between its normal and the view is 70°, for which tan is 2 √2.
+The kernel that reduces views has the same reach: 4 pixels of a picture of twice the size. The points of a view are one
+pixel apart, so the nearest one is at most √½ pixel away. There a plane's depth differs by 2 pixels if its normal is 70°
+from the view direction, since tan 70° is about 2 √2.
 """
 
 _MARGIN = 8.0
-"""Float32 roundings of the greatest coordinate by which surfaces may lie beyond a cell's sides, as in its views."""
+"""Views show surfaces beyond a cell's sides by up to this number of float32 roundings of the greatest coordinate."""
 
 _FORMAT = (16, 16)
 """Bits of a view's depths and normals."""
@@ -68,18 +68,18 @@ _FORMAT = (16, 16)
 
 @dataclass(frozen=True)
 class Choice:
-    """A set of directions for a world, and why."""
+    """Set of directions chosen for a world, with the measurements that led to it."""
 
     count: int
     """Number of directions."""
     shares: dict[int, float]
     """Disocclusion of each set; empty if nothing was found in the world."""
     cells: int
-    """Number of leaves averaged."""
+    """Number of measured leaves."""
 
 
 def choose_directions(source: SceneSource, grid: Grid, *, below: bool = False) -> Choice:
-    """Choose the set of directions for a world by what its views hide.
+    """Choose the set of directions for a world by its disocclusion.
 
     Leaves are sampled at random, and those with the most triangles are rendered. Leaves that the source cannot return
     are skipped. The same world and grid give the same choice. With `below`, viewers look up from below as well.
@@ -96,7 +96,7 @@ def choose_directions(source: SceneSource, grid: Grid, *, below: bool = False) -
                 hidden.update(holes)
                 visible, cells = visible + pixels, cells + (pixels > 0)
     shares = {count: hidden[count] / visible for count in COUNTS} if visible else {}
-    return Choice(smallest(shares) if shares else DEFAULT_COUNT, shares, cells)
+    return Choice(smallest_set(shares) if shares else DEFAULT_COUNT, shares, cells)
 
 
 def _densest(source: SceneSource, grid: Grid, report: Callable[[int], None]) -> list[Place]:
@@ -115,7 +115,7 @@ def _densest(source: SceneSource, grid: Grid, report: Callable[[int], None]) -> 
 
 
 def _query(source: SceneSource, grid: Grid, place: Place) -> Scene | None:
-    """Query the scene of a leaf; None if it is empty, or the source fails to read it or a part of it."""
+    """Query the scene of a leaf; None if it is empty, or if the source cannot return all of it."""
     try:
         part = source.query(grid.box(0, place))
     except Exception:  # a source may raise anything; the build names the leaves that it cannot return
@@ -123,8 +123,8 @@ def _query(source: SceneSource, grid: Grid, place: Place) -> Scene | None:
     return part if part.triangle_count and not unread_in(source, part) else None
 
 
-def smallest(shares: Mapping[int, float]) -> int:
-    """Return the smallest set that is good enough, or that no larger one improves by `MIN_IMPROVEMENT`."""
+def smallest_set(shares: Mapping[int, float]) -> int:
+    """Return the size of the smallest set that is good enough, or that no larger one improves by `MIN_IMPROVEMENT`."""
 
     def is_enough(count: int) -> bool:
         gains = (shares[count] - shares[larger] for larger in shares if larger > count)
@@ -145,7 +145,7 @@ def viewers(*, below: bool = False) -> NDArray[np.float64]:
 
 
 def nearest(directions: NDArray[np.float64], viewer: NDArray[np.float64]) -> list[int]:
-    """Return the numbers of the `DRAWN_VIEWS` unit vectors nearest to a viewer; of equally near ones the first."""
+    """Return the numbers of the `DRAWN_VIEWS` unit vectors nearest to a viewer; equally near ones in their order."""
     order = np.argsort(-np.round(directions @ viewer, 9), kind="stable")
     return [int(number) for number in order[:DRAWN_VIEWS]]
 
@@ -153,9 +153,9 @@ def nearest(directions: NDArray[np.float64], viewer: NDArray[np.float64]) -> lis
 def _count_holes(
     part: Scene, grid: Grid, place: Place, sets: Sequence[int], size: int, viewer_directions: NDArray[np.float64]
 ) -> tuple[int, Counter[int]]:
-    """Count the pixels of all viewers that show a leaf, and for each set of directions those that are holes.
+    """Count the pixels of all viewers that show a leaf, and the holes among them for each set of directions.
 
-    Moving objects are left out, as in the leaf's views, whose width and height is `size` pixels, a multiple of 4.
+    Moving objects are left out, as in views. `size` is the width and height of views in pixels, a multiple of 4.
     """
     hidden: Counter[int] = Counter()
     if moving := part.poses:
@@ -176,7 +176,7 @@ def _count_holes(
 def _visible(
     part: Scene, box: NDArray[np.float64], viewer_directions: NDArray[np.float64]
 ) -> list[NDArray[np.float64]]:
-    """Points (N, 3) of a cell that each viewer sees along parallel rays, `RAYS` of them along a side."""
+    """Points (N, 3) of a cell that each viewer sees along parallel rays, `RAYS` along a side of the cell."""
     margin = _MARGIN * float(np.finfo(np.float32).eps) * np.abs(box - part.origin).max()
     rays = [_rays(box + np.array([[-margin], [margin]]), viewer) for viewer in viewer_directions]
     counts = [len(starts) for starts, _ in rays]

@@ -16,11 +16,11 @@ from nearfar._base import files, remote
 from nearfar._base.recent import Recent
 
 MAX_WHOLE_BYTES = 1 << 28
-"""Bytes of whole files that are kept of a server that has no byte ranges."""
+"""Size of the cache of whole files from servers without byte ranges."""
 
 
 class ByteRange(NamedTuple):
-    """Part of a file; a negative first byte counts from the file's end."""
+    """Part of a file."""
 
     file: str
     first: int
@@ -65,17 +65,17 @@ class Local:
     def _part(self, part: ByteRange) -> bytes | None:
         try:
             with (self.folder / part.file).open("rb") as file:
-                file.seek(part.first if part.first >= 0 else max(file.seek(0, os.SEEK_END) + part.first, 0))
+                file.seek(part.first)
                 return file.read(part.length)
         except (FileNotFoundError, NotADirectoryError):
             return None
 
 
 class Remote:
-    """Files behind a URL; one call requests all its parts at once if the file system can. Thread-safe.
+    """Files behind a URL; a call of `read_parts` makes all its requests at once if the file system can. Thread-safe.
 
-    A server without byte ranges sends whole files. As soon as it has sent one, each file is requested once and kept, up
-    to `MAX_WHOLE_BYTES` for all; a warning says so.
+    A server without byte ranges sends whole files. Once it has sent one, whole files are requested and cached, up to
+    `MAX_WHOLE_BYTES` in total; a warning says so.
     """
 
     def __init__(self, url: str) -> None:
@@ -87,7 +87,7 @@ class Remote:
         self._lock_by_file: defaultdict[str, threading.Lock] = defaultdict(threading.Lock)
 
     def __reduce__(self) -> tuple[type[Remote], tuple[str]]:
-        """Pickle without kept files."""
+        """Pickle without cached files."""
         return Remote, (self.address,)
 
     def read(self, name: str) -> bytes | None:
@@ -111,28 +111,28 @@ class Remote:
         if not requests:
             return []
         paths = [f"{self._path}/{name}" for name, _, _ in requests]
-        ends = [None if first < 0 else first + length for _, first, length in requests]
+        ends = [first + length for _, first, length in requests]
         with remote.as_os_errors(self.address, "read"):
             contents = self._system.cat_ranges(paths, [first for _, first, _ in requests], ends, on_error="return")
             for content, request in zip(contents, requests, strict=True):
                 if not isinstance(content, Exception) and len(content) > request.length:
-                    self._keep(request.file, bytes(content))
+                    self._cache_whole(request.file, bytes(content))
             return [_part_of(content, request) for content, request in zip(contents, requests, strict=True)]
 
     def _part_of_whole(self, request: ByteRange) -> bytes | None:
-        """Part of a file that is kept; it is read first if it is not."""
+        """Return a part of a cached file; a file that is not cached is read first."""
         with self._lock:
             lock = self._lock_by_file[request.file]
-        with lock:  # threads that want other parts of the same file wait for it
+        with lock:  # threads that need other parts of the same file wait for it
             content = self._whole.get(request.file)
             if content is None:
                 content = self.read(request.file)
                 if content is not None:
-                    self._keep(request.file, content)
+                    self._cache_whole(request.file, content)
         return None if content is None else _slice(content, request)
 
-    def _keep(self, name: str, content: bytes) -> None:
-        """Keep a whole file, and warn of the server once."""
+    def _cache_whole(self, name: str, content: bytes) -> None:
+        """Cache a whole file; the first time, warn about the server."""
         with self._lock:
             is_first, self._sends_whole_files = not self._sends_whole_files, True
         self._whole.put(name, content)
@@ -140,17 +140,17 @@ class Remote:
         if is_first:
             message = (
                 f"{self.address}: the server sends whole files where parts are requested: "
-                f"each file is read once, and up to {MAX_WHOLE_BYTES >> 20} MiB of them are kept"
+                f"each file is read once, and up to {MAX_WHOLE_BYTES >> 20} MiB of files are cached"
             )
             warnings.warn(message, RuntimeWarning, stacklevel=2)
 
 
 def join_ranges(byte_ranges: Iterable[ByteRange]) -> list[ByteRange]:
-    """Join the parts of a file that touch or overlap each other, so that one request reads them."""
+    """Join parts of a file that touch or overlap, so that one request reads them."""
     joined: list[ByteRange] = []
     for part in sorted(set(byte_ranges)):
         before = joined[-1] if joined else None
-        if before and before.file == part.file and before.first >= 0 and part.first <= before.first + before.length:
+        if before and before.file == part.file and part.first <= before.first + before.length:
             length = max(before.length, part.first + part.length - before.first)
             joined[-1] = ByteRange(part.file, before.first, length)
         else:
@@ -170,7 +170,7 @@ def _part_within(
 
 
 def _part_of(content: bytes | Exception, part: ByteRange) -> bytes | None:
-    """Extract the part from a server's response; some servers send the whole file."""
+    """Extract a part from a server's response, which may be the whole file."""
     if isinstance(content, FileNotFoundError):
         return None
     if isinstance(content, Exception):
@@ -181,5 +181,4 @@ def _part_of(content: bytes | Exception, part: ByteRange) -> bytes | None:
 
 
 def _slice(content: bytes, part: ByteRange) -> bytes:
-    """Part of a whole file."""
-    return content[part.first :] if part.first < 0 else content[part.first : part.first + part.length]
+    return content[part.first : part.first + part.length]

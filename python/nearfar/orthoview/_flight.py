@@ -1,4 +1,4 @@
-"""Flights through a tree: pictures of the data read so far, while threads read the rest in the background."""
+"""Flights through a tree: pictures show the data read so far, while background threads read more."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ from nearfar.orthoview._loader import Loader
 from nearfar.orthoview._meter import LinkTotals
 from nearfar.orthoview._pilot import Pilot, Plan, PrefetchSettings
 from nearfar.orthoview._standins import Cell, PartsByCell, PicturePieces, Piece, StandIns
-from nearfar.orthoview._viewer import Opened, OrthoRenderable, Parts, Viewer
+from nearfar.orthoview._viewer import OpenStore, OrthoRenderable, Parts, Viewer
 
 THREADS, MAX_THREADS = 16, 64
 """Default and maximum number of reading threads; each has one request at a time."""
@@ -44,20 +44,20 @@ class Flight(OrthoRenderable):
     """A viewer that moves through a tree and never waits.
 
     A picture is drawn from the data read so far. Where views of the cut are missing, it keeps the content of the
-    previous picture, or shows parts of coarser views. Threads read missing parts, the nearest first, then those that
-    the viewer needs soon. `OrthoTree.fly` begins a flight; `close` or its `with` block ends it.
+    previous picture, or shows parts of coarser views. Threads read the missing parts, the nearest first, then parts
+    that the viewer will need soon. `OrthoTree.fly` begins a flight; `close` or its `with` block ends it.
     """
 
     def __init__(
         self,
-        opened: Opened,
+        opened: OpenStore,
         settings: Settings,
         ahead: PrefetchSettings,
         threads: SupportsIndex,
         on_error: Listener | None,
         movers: Scene | None = None,
     ) -> None:
-        self._opened = check.instance("opened", opened, Opened, "what OrthoTree.fly passes")
+        self._opened = check.instance("opened", opened, OpenStore, "what OrthoTree.fly passes")
         view_settings = check.instance("settings", settings, Settings, "what OrthoTree.fly passes")
         if on_error is not None and not callable(on_error):
             raise TypeError(f"on_error: expected a function or None, got {check.type_and_value(on_error)}")
@@ -69,10 +69,10 @@ class Flight(OrthoRenderable):
         self._stand_ins = StandIns(opened.grid, opened.units, self._has, self._drawable, view_settings.views)
         self._movers = None if movers is None else check.instance("movers", movers, Scene)
         self._previous: defaultdict[int, PicturePieces] = defaultdict(PicturePieces)
-        """Parts of the previous pictures, by number of the picture in its shot."""
+        """Pieces of the previous pictures, by number of the picture in its shot."""
         self._clipped: dict[Piece, list[_core.OrthoSplats]] = {}
         self._device: _core.GpuDevice | None = None
-        """Adapter that draws; threads upload views to it as soon as they arrive."""
+        """Graphics adapter that draws; threads upload views to it as soon as they arrive."""
         self._lock = threading.RLock()
         self._had_requests = False
         self._errors: list[Exception] = []
@@ -111,14 +111,14 @@ class Flight(OrthoRenderable):
 
     @property
     def speed_limit(self) -> float:
-        """Speed up to which the link keeps up with the viewer, metres a second; above it, pictures are coarser.
+        """Greatest speed of the viewer at which the link keeps up, metres a second; above it, pictures are coarser.
 
         Infinite until the viewer moves and something has been read.
         """
-        return self._pilot.limit
+        return self._pilot.speed_limit
 
     def look(self, camera: Camera, time: SupportsFloat | None = None) -> None:
-        """Set the viewer's camera and read what it needs, without drawing.
+        """Set the viewer's camera and read the parts that it needs, without drawing.
 
         `time` is in seconds of any monotonic clock, by default the computer's own. ValueError and TypeError for a value
         that is not a camera, or a time that is not finite.
@@ -138,10 +138,9 @@ class Flight(OrthoRenderable):
     ) -> Frame:
         """Draw the data read so far, without waiting for more. Errors as in `OrthoTree.render`.
 
-        The frame's `stats` has, besides those of `OrthoTree.render`: `missing`, the number of the cut's cells that lack
-        a view or their geometry, and of subtrees that are not known yet; `empty`, the number of these for which nothing
-        is drawn; `error_px` of the
-        picture.
+        The frame's `stats` has the counts of `OrthoTree.render`; `missing`, the number of cells of the cut that lack a
+        view or their geometry plus the number of subtrees whose records have not been read; `empty`, the number of
+        these cells and subtrees in whose place nothing is drawn; and `error_px` of the picture.
 
         Parameters
         ----------
@@ -150,14 +149,14 @@ class Flight(OrthoRenderable):
         time
             Seconds of any monotonic clock, for the viewer's speed; the computer's own by default.
         settings
-            Samples, channels, limits and backend, as `nearfar.RenderSettings`. Views that arrive later are uploaded to
-            the adapter in the background.
+            Samples, channels, limits and backend, as `nearfar.RenderSettings`. The background threads upload views to
+            the adapter.
         keywords
             Fields of `settings`, which they replace.
         """
         seconds = None if time is None else check.number("time", time)
         render_settings = gather(RenderSettings, settings, keywords)
-        renderer = Renderer(_Moment(self, seconds, self._movers), render_settings, argument="flight")
+        renderer = Renderer(_PosedFlight(self, seconds, self._movers), render_settings, argument="flight")
         (frame,) = renderer.frames(renderer.shot([camera]), None, renderer.device(self))
         return frame
 
@@ -165,7 +164,7 @@ class Flight(OrthoRenderable):
         """Return the same flight with moving objects in other poses; `poses` as in `Scene.at`."""
         if self._movers is None:
             return super().at(poses)
-        return _Moment(self, None, self._movers.at(poses))
+        return _PosedFlight(self, None, self._movers.at(poses))
 
     def _pictures(self, shot: Shot, device: _core.GpuDevice | None, report: Report) -> list[Images]:
         return self._draw(shot, None, self._movers, device, report)
@@ -190,9 +189,9 @@ class Flight(OrthoRenderable):
         return pictures
 
     def wait(self, seconds: SupportsFloat | None = None) -> bool:
-        """Wait until everything is read that the last picture and the positions ahead need, at most `seconds`.
+        """Wait until all parts have been read that the last picture and the positions ahead need.
 
-        None is no limit. Returns False after a timeout, or if a part cannot be read now.
+        Waits at most `seconds`; None is no limit. Returns False after a timeout, or if a part cannot be read now.
         """
         limit = None if seconds is None else check.in_range("seconds", seconds, 0.0, 1e9)
         ends = math.inf if limit is None else clock.monotonic() + limit
@@ -212,13 +211,13 @@ class Flight(OrthoRenderable):
         return False
 
     def refresh(self) -> bool:
-        """Switch to the newest generation of the store; return whether there is a newer one.
+        """Switch to the newest generation of the store; return whether there was a newer one.
 
-        While the store is being built, switch to what has been built by now.
+        If the store is still being built, switch to the cells that have been built by now.
 
-        Pictures keep the views that the update did not change, and show the old versions of the others until the new
+        Pictures keep the views that the update did not change, and show old versions of changed views until the new
         ones have arrived. Damaged parts are read again. FormatError and OSError for damaged or unreadable documents of
-        the store; the flight keeps its state then.
+        the store; then the flight keeps its state.
         """
         newer = self._opened.newer()
         with self._lock:
@@ -241,7 +240,7 @@ class Flight(OrthoRenderable):
         return plan
 
     def _choose_pieces(self, number: int, camera: Camera, parts_by_cell: PartsByCell, unread: int) -> PicturePieces:
-        """Choose the pieces that one of a shot's pictures is drawn from; `unread` is as in `Plan`."""
+        """Choose the pieces for picture `number` of a shot; `unread` is the picture's entry in `Plan.unread`."""
         pieces = self._stand_ins.choose_pieces(parts_by_cell, self._previous[number], np.array(camera.position))
         self._previous[number] = pieces
         is_root_unread = unread > 0 and not parts_by_cell
@@ -268,7 +267,7 @@ class Flight(OrthoRenderable):
         return self._clipped[piece]
 
     def _trim(self, plan: Plan) -> None:
-        """Evict views that no picture uses if memory is short; drop clipped pieces as soon as they are not drawn."""
+        """Evict unused views and leaves until the caches fit their size; drop clipped pieces that no picture shows."""
         pieces = {piece for picture in self._previous.values() for cell in picture.cells.values() for piece in cell}
         self._clipped = {piece: splats for piece, splats in self._clipped.items() if piece in pieces}
         needed = {*plan.order, *(part for picture in self._previous.values() for part in picture.parts())}
@@ -283,7 +282,7 @@ class Flight(OrthoRenderable):
 
     def _drawable(self, cell: Cell) -> frozenset[int]:
         level, place = cell
-        views = self._viewer.views.of_cell(level, place)
+        views = self._viewer.views.cached_directions(level, place)
         return views | {GEOMETRY} if level == 0 and place in self._viewer.near.cache.values else views
 
     def _read(self, part: Part) -> None:
@@ -297,11 +296,11 @@ class Flight(OrthoRenderable):
             self._upload(part)
 
     def _upload(self, part: Part) -> None:
-        """Upload a view to the drawing adapter before a picture shows it."""
+        """Upload a view to the drawing adapter, before a picture shows it."""
         if (device := self._device) is None:
             return
         splats = list(self._viewer.views.cached_layers(part))
-        with contextlib.suppress(DeviceError, MemoryError):  # the picture that shows them uploads them itself
+        with contextlib.suppress(DeviceError, MemoryError):  # the next picture that shows the view tries again
             _core.gpu_keep_orthoviews(device, splats)
 
     def _received(self) -> LinkTotals:
@@ -323,8 +322,8 @@ class Flight(OrthoRenderable):
                 warnings.warn(f"{type(error).__name__}: {error}", RuntimeWarning, stacklevel=2)
 
 
-class _Moment(OrthoRenderable):
-    """A flight at a time, with moving objects in their poses."""
+class _PosedFlight(OrthoRenderable):
+    """A flight at one time, with moving objects in given poses."""
 
     def __init__(self, flight: Flight, time: float | None, movers: Scene | None) -> None:
         self._flight, self._time, self._movers = flight, time, movers

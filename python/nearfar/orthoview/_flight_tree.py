@@ -14,7 +14,7 @@ from nearfar._base import check
 from nearfar._camera.camera import Camera, Fov
 from nearfar.orthoview._flight import THREADS, Flight
 from nearfar.orthoview._pilot import MIN_SPEED, PrefetchSettings
-from nearfar.orthoview._prefetch import Outlook, PrefetchQueue, offsets, queue, smallest
+from nearfar.orthoview._prefetch import Frustums, PrefetchQueue, offsets, queue, smallest_side
 from nearfar.orthoview._renderable_tree import RenderableTree, settings_of
 
 MARGIN = 5.0
@@ -37,7 +37,7 @@ class FlightTree(RenderableTree):
         threads: SupportsIndex = THREADS,
         on_error: Callable[[Exception], None] | None = None,
     ) -> Flight:
-        """Begin a flight: pictures never wait, while threads read what they need now and soon.
+        """Begin a flight: pictures never wait for data, while threads read the parts that they need now and soon.
 
         Returns a `Renderable` with its own cache of `cache_bytes`; close it, or use it in a `with` block. Errors as in
         `cut`.
@@ -47,7 +47,7 @@ class FlightTree(RenderableTree):
         views, error_px, geometry, lift_deg
             As in `cut`.
         prefetch
-            Whether to read what the viewer needs soon, besides what the picture shows.
+            Whether to read parts that the viewer will need soon, after those of the picture.
         margin_deg
             Margin around the picture for prefetching, degrees, 0 to 180; None for all directions, for viewers that turn
             faster than views arrive.
@@ -55,7 +55,7 @@ class FlightTree(RenderableTree):
             Whether pictures become coarser when the viewer moves faster than `Flight.speed_limit`.
         threads
             Number of reading threads, 1 to 64. Each reads one part at a time: a view by one request, the geometry of a
-            leaf file by file. So memory holds, besides the cache, one part for each thread.
+            leaf file by file. So memory holds one part for each thread in addition to the cache.
         on_error
             Callback for read errors, called in the drawing thread; by default they are warnings.
         """
@@ -75,11 +75,11 @@ class FlightTree(RenderableTree):
         geometry: bool = True,
         lift_deg: SupportsFloat = 0.0,
     ) -> PrefetchQueue:
-        """Return what a viewer at a position needs now and soon, in all directions.
+        """Return the parts that a viewer at a position needs now and soon, in all directions.
 
-        Positions ahead are one side of the smallest cell of the cut away: the cut cannot change more until the viewer
-        has moved that far. Returns the parts in the best order for reading; ask again after `renewed_after` metres.
-        Errors as in `cut`.
+        Parts needed soon are those of the cuts at positions ahead, which are as far away as the side of the present
+        cut's smallest cell: until the viewer has moved that far, it needs no other parts. Returns the parts in the best
+        order for reading; make a new queue after `renewed_after` metres. Errors as in `cut`.
 
         Parameters
         ----------
@@ -88,8 +88,8 @@ class FlightTree(RenderableTree):
         camera
             A view with the picture's size and field of view; 640 × 480 pixels and 60° by default.
         velocity
-            World velocity (3,), metres a second: positions ahead are along its direction. By default they are ahead
-            along all axes.
+            World velocity (3,), metres a second: positions ahead lie along its direction. By default they lie along all
+            axes, in both directions.
         views, error_px, geometry, lift_deg
             As in `cut`.
         """
@@ -101,11 +101,11 @@ class FlightTree(RenderableTree):
         speed = np.zeros(3) if velocity is None else np.array(check.vector("velocity", velocity))
         length = float(np.linalg.norm(speed))
         cutter = self._viewer.cutter
-        ahead = smallest(cutter.complete_cut(eye_camera, settings, around=True), cutter.grid)
+        ahead = smallest_side(cutter.complete_cut(eye_camera, settings, around=True), cutter.grid)
         places = np.array(eye) + offsets(ahead, speed / length if length > MIN_SPEED else None)
         cameras = [replace(eye_camera, position=check.vector("position", place)) for place in places]
         while True:
-            parts = queue(cutter, settings, eye_camera, cameras, Outlook([eye_camera], None))
+            parts = queue(cutter, settings, eye_camera, cameras, Frustums([eye_camera], None))
             if not parts.unknown:
                 return parts
             for tier, place, _ in parts.unknown:

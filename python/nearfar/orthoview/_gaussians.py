@@ -1,7 +1,8 @@
 """Converts pixels of views to Gaussians for splat viewers.
 
 A surfel's pixel spans u and v on its tangent plane (docs/orthoview_view.md). The Gaussian of the covariance
-σ² (u uᵀ + v vᵀ), σ in pixels, has the same main axes as the ellipse of `tree.render`. Along the normal it is thin.
+σ² (u uᵀ + v vᵀ), σ in pixels, has the same main axes as the ellipse that `tree.render` draws; it is thin along the
+normal.
 """
 
 from __future__ import annotations
@@ -17,8 +18,8 @@ from nearfar._scene.srgb import to_linear
 Floats = NDArray[np.float32]
 
 SIGMA = 0.6
-"""Standard deviation of a surfel in pixels of its view, measured in docs/orthoview_export.md: with smaller values
-the background shows through between pixels, and greater values blur edges."""
+"""Standard deviation of a surfel in pixels of its view (docs/orthoview_export.md). With smaller values the background
+shows through between pixels; greater values blur edges."""
 
 NORMAL_FACTOR = 0.1
 """Standard deviation along a surfel's normal, as a fraction of the smaller standard deviation in its plane."""
@@ -27,7 +28,7 @@ MIN_COSINE = 0.25
 """Least cosine between a surfel's normal and the direction of its view, as in `tree.render`."""
 
 SUN = (0.526_315_8, 0.789_473_7, 0.315_789_5)
-"""Unit vector towards the sun of all pictures."""
+"""Unit vector towards the sun, as in all pictures."""
 
 _SUN_COLOR = np.array([0.60, 0.56, 0.50], np.float32)
 _SKY = np.array([-0.206_284_3, 0.928_279_1, 0.309_426_4], np.float32)
@@ -42,8 +43,8 @@ class Gaussians:
     middle: Floats
     """Centres (N, 3), metres from the frame's origin."""
     rotation: Floats
-    """Unit quaternions (N, 4), x, y, z, w, of which w is the greatest. The columns of their rotation matrices are the
-    main axes; the third is the normal."""
+    """Unit quaternions (N, 4), x, y, z, w; w is the greatest component. The columns of their rotation matrices are the
+    main axes, the third one the normal."""
     scale: Floats
     """Standard deviations along the axes (N, 3), metres."""
     color: NDArray[np.uint8]
@@ -97,7 +98,7 @@ def gaussians_of(
     """Convert the pixels of a view to Gaussians.
 
     The rows of `axes` (3, 3) point to the right, up and towards the viewer. `pitch` is the width and height of a pixel,
-    metres; `sun` a unit vector towards the sun, None for colours without light.
+    metres; `sun` a unit vector towards the sun, None for unshaded colours.
     """
     right, up, toward = axes
     facing = np.maximum(surfaces.normal @ toward, np.float32(MIN_COSINE))
@@ -124,7 +125,7 @@ def gaussians_of(
 
 
 def shade(color: NDArray[np.uint8], normal: Floats, sun: tuple[float, float, float] | None) -> NDArray[np.uint8]:
-    """Shade albedo (N, 3) with the light of all pictures and the given sun; sRGB in and out."""
+    """Shade albedo (N, 3) by the light of all pictures with the sun in a given direction; sRGB in and out."""
     if sun is None:
         return color
     linear = (_LINEAR[color] * irradiance(normal, sun)).astype(np.float32)
@@ -132,7 +133,7 @@ def shade(color: NDArray[np.uint8], normal: Floats, sun: tuple[float, float, flo
 
 
 def irradiance(normal: Floats, sun: tuple[float, float, float]) -> Floats:
-    """Linear RGB (N, 3) that white surfaces reflect in the light of all pictures with the given sun."""
+    """Linear RGB (N, 3) that white surfaces reflect in the light of all pictures with the sun in a given direction."""
     sky = (0.5 + 0.5 * (normal @ _SKY))[:, None]
     sunlight = _SUN_COLOR * np.maximum(normal @ np.array(sun, np.float32), 0.0)[:, None]
     return np.asarray(_SKY_COLORS[0] + (_SKY_COLORS[1] - _SKY_COLORS[0]) * sky + sunlight)
@@ -141,8 +142,8 @@ def irradiance(normal: Floats, sun: tuple[float, float, float]) -> Floats:
 def _quaternions(matrix: Floats) -> tuple[Floats, NDArray[np.int64]]:
     """Convert rotation matrices (N, 3, 3), whose columns are axes, to quaternions (N, 4) and the axes' order (N, 3).
 
-    Axes have no sign, and the first two may change places. Among the rotations that give the same Gaussian, the one
-    with the greatest w is taken: formats that derive w from x, y and z are most exact for a great w.
+    The signs of axes do not matter, and the first two may be swapped. Of the rotations that give the same Gaussian, the
+    one with the greatest w is chosen: formats that derive w from x, y and z are most accurate then.
     """
     swapped = np.stack([matrix[:, :, 1], -matrix[:, :, 0], matrix[:, :, 2]], axis=2)
     quaternions = np.stack([_quaternion_with_greatest_w(matrix), _quaternion_with_greatest_w(swapped)])
@@ -152,7 +153,7 @@ def _quaternions(matrix: Floats) -> tuple[Floats, NDArray[np.int64]]:
 
 
 def _quaternion_with_greatest_w(matrix: Floats) -> Floats:
-    """Return each matrix's quaternion, after a half turn about one of its axes where that makes w greater."""
+    """Return each matrix's quaternion, after the half turn about one of its axes, or none, that makes w greatest."""
     x, y, z = (matrix[:, axis, axis] for axis in range(3))
     # 4 w², 4 x², 4 y², 4 z². Half turns about the axes permute w, x, y and z up to their signs.
     squares = np.stack([1 + x + y + z, 1 + x - y - z, 1 - x + y - z, 1 - x - y + z], axis=1)

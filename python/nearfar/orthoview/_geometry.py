@@ -1,9 +1,9 @@
 """Encodes the triangles of a leaf as GLB files: one of static triangles, one of moving ones.
 
-Files are like those of bundles: meshopt compression, meshes with several placements stored once, materials as they are
-drawn, textures in WebP files beside them. Positions are multiples of a step, relative to a point in the middle of the
-leaf. These points are an even number of steps apart, so that a corner is rounded alike in all leaves: adjacent
-triangles of different leaves stay joined.
+The format is that of bundles: meshopt compression, each mesh stored once with its placements, only properties of
+materials that nearfar draws, textures in separate WebP files. Positions are multiples of a step, relative to a point in
+the middle of the leaf. These points are an even number of steps apart, so that a corner is rounded alike in all leaves,
+and adjacent triangles of different leaves stay joined.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from nearfar.orthoview._grid import Grid, Place
 from nearfar.orthoview._owners import owned_mask
 
 MAX_STEP = 2.0**-10
-"""Greatest step of positions, metres: meshes placed once are off by at most half a step, instances by one step."""
+"""Greatest step of positions, metres. Meshes placed once are off by at most half a step, instances by one step."""
 
 STEP_SHARE = 2.0**-14
 """Greatest step of positions as a share of a leaf's side."""
@@ -34,10 +34,10 @@ _MAX_WEBP_SIDE = 16383
 """Greatest side of a WebP image; larger textures are halved."""
 
 _MIN_STEP = 2.0**-40
-"""Least step that the exporter takes, metres."""
+"""Least step that the exporter accepts, metres."""
 
 _MIDDLE_STEPS = 1024
-"""Leaves' middle points are multiples of this number of steps: of a metre if the step is the greatest."""
+"""Middle points of leaves are multiples of this number of steps, which is 1 m for the greatest step."""
 
 QUALITY = 90
 """WebP quality of textures, 0 to 100."""
@@ -53,7 +53,7 @@ def step_of(grid: Grid) -> float:
 
 
 class Images:
-    """Texture files, shared by all leaves and named by a hash of their content; the first one creates the folder."""
+    """Texture files, which all leaves share, named by a hash of their content; the first one creates the folder."""
 
     def __init__(self, folder: Path) -> None:
         self._folder = folder
@@ -83,9 +83,9 @@ def _shrink_to_fit(texels: NDArray[np.uint8]) -> NDArray[np.uint8]:
 def cell_glb(part: Scene, grid: Grid, place: Place, images: Images | None = None) -> bytes | None:
     """Encode the static triangles that belong to a leaf as a GLB in world metres, y up; None if there are none.
 
-    `part` results from a query of the leaf's box. `images` stores the textures; with None materials have no textures.
-    The `extras` of the GLB's `asset` have the number of `triangles`, the greatest `error` of a position along an axis,
-    and the `box` of all, metres. Triangles without area after their corners are rounded are left out.
+    `part` is the result of querying the leaf's box. `images` stores the textures; None leaves them out. The `extras` of
+    the GLB's `asset` have the number of `triangles`, the greatest `error` of a position along an axis, metres, and the
+    bounding `box` in metres. Triangles that rounding leaves without area are omitted.
     """
     is_owned = _owned_triangles(part, grid, place, moving=False)
     if not is_owned.any():
@@ -96,10 +96,10 @@ def cell_glb(part: Scene, grid: Grid, place: Place, images: Images | None = None
 
 
 def moving_glb(part: Scene, grid: Grid, place: Place, images: Images | None = None) -> bytes | None:
-    """Encode the moving triangles that belong to a leaf in its present pose; see `cell_glb`.
+    """Encode the moving triangles that belong to a leaf, in their present poses; see `cell_glb`.
 
     Each node is an instance with the name of its object. The `extras` also have `moving`, a row for each node in order:
-    its `object`, and its load `transform` and its placement at `rest` if they are not the defaults.
+    its `object`, and unless they are the defaults its load `transform` and its placement at `rest`.
     """
     is_owned = _owned_triangles(part, grid, place, moving=True)
     if not is_owned.any():
@@ -115,8 +115,8 @@ def moving_glb(part: Scene, grid: Grid, place: Place, images: Images | None = No
 
 
 def _owned_triangles(part: Scene, grid: Grid, place: Place, *, moving: bool) -> NDArray[np.bool_]:
-    """Mask (T,) of the moving, or of the static triangles that belong to a leaf; static ones come first."""
-    static_count = part._core.standing_triangle_count
+    """Mask (T,) of the moving or the static triangles that belong to a leaf."""
+    static_count = part._core.standing_triangle_count  # static triangles come first
     if moving and static_count == part.triangle_count:
         return np.zeros(part.triangle_count, bool)
     is_owned = owned_mask(part, grid, place)
@@ -125,7 +125,7 @@ def _owned_triangles(part: Scene, grid: Grid, place: Place, *, moving: bool) -> 
 
 
 def _middle(grid: Grid, place: Place) -> NDArray[np.float64]:
-    """Point that positions in a leaf are relative to, world, metres."""
+    """World position (3,) in metres that positions in a leaf's file are relative to."""
     unit = _MIDDLE_STEPS * step_of(grid)
     return np.asarray(np.rint(grid.box(0, place).mean(axis=0) / unit) * unit)
 
@@ -173,7 +173,7 @@ def _encode(core: _core.Scene, step: float, images: Images | None, names: list[s
         return None
     low, high = core.bounds()
     error = facts["position_error"]
-    # Rounded outwards to whole steps plus one, so that boxes of flat leaves have a volume and contain all roundings.
+    # Rounded outwards to whole steps, and a step larger, so that flat boxes have a volume and all corners are inside.
     box = [(np.floor((low - error) / step) - 1) * step, (np.ceil((high + error) / step) + 1) * step]
     document, _ = glb.header(data)
     document["asset"]["extras"] = {

@@ -1,7 +1,7 @@
 """Stores the geometry of a tree's leaves as a tileset of 3D Tiles, in a folder of the tree's store.
 
-A leaf's files are written to temporary names and then renamed, so that an interrupted build leaves whole files only.
-`finish` lists the existing files, so the build keeps no other record of them.
+A leaf's files are written under temporary names and then renamed, so that an interrupted build leaves only whole files.
+`finish` finds them by listing the folders, so the build needs no other record of them.
 """
 
 from __future__ import annotations
@@ -77,16 +77,16 @@ class GeometryStore:
         self._images = Images(self._folder / IMAGES)
 
     def write(self, part: Scene, place: Place) -> int:
-        """Write the triangles of `part`, a query of a leaf's box, that belong to the leaf; return the number of bytes.
+        """Write the triangles that belong to a leaf; return the number of bytes.
 
-        Writing a leaf again gives the same bytes.
+        `part` is the result of querying the leaf's box. Writing a leaf again gives the same bytes.
         """
         written = 0
         for folder, encode in ((STATIC_FOLDER, cell_glb), (MOVING_FOLDER, moving_glb)):
             data = encode(part, self._grid, place, self._images)
             path = self._path(folder, place)
             if data is None:
-                path.unlink(missing_ok=True)  # an earlier build may have got the leaf in part
+                path.unlink(missing_ok=True)  # an earlier build may have read only a part of the leaf
             else:
                 path.parent.mkdir(parents=True, exist_ok=True)
                 with files.atomic_file(path) as temporary:
@@ -97,9 +97,9 @@ class GeometryStore:
     def finish(self) -> dict[str, Any]:
         """Write the tileset of all leaves that have files, and the list of moving objects.
 
-        Returns the numbers of `leaves`, `triangles` and `bytes` of static geometry, the same for `moving` geometry, and
-        the greatest `error` of a position along an axis in metres. Raises FormatError for a damaged file or one that
-        belongs to no leaf, OSError for files that cannot be read or written.
+        Returns the numbers of `leaves`, `triangles` and `bytes` of static geometry, counts of `moving` geometry, the
+        greatest `error` of a position along an axis and the `step` of positions, metres. Raises FormatError for a file
+        that is damaged or belongs to no leaf, OSError for files that cannot be read or written.
         """
         total = {"leaves": 0, "triangles": 0, "bytes": 0, "error": 0.0}
 
@@ -134,7 +134,7 @@ class GeometryStore:
     def _tileset(self, box: NDArray[np.float64] | None, movers: dict[str, NDArray[np.float64]]) -> dict[str, Any]:
         """Return the tileset document: the tree, and a tile for each file of moving triangles."""
         levels = self._grid.levels
-        # Cells above the leaves have no content: while their children are not drawn, all of it is missing.
+        # Cells above the leaves have no content, so a cell whose children are not drawn is off by its whole diagonal.
         error = math.sqrt(3.0) * self._grid.side(levels - 1)
         children: list[dict[str, Any]] = []
         if box is not None:
@@ -168,7 +168,7 @@ class GeometryStore:
         }
 
     def _cube(self) -> list[float]:
-        """The root's cell as a box whose axes are the grid's, so that a cell has one number in tree and tileset."""
+        """Box of the root's cell with the grid's axes, so that cells have the same numbers in tree and tileset."""
         half = self._grid.side(self._grid.levels - 1) / 2
         x, y, z = (low + half for low in self._grid.origin)
         return [x, 0.0 - z, y, half, 0.0, 0.0, 0.0, 0.0, half, 0.0, -half, 0.0]

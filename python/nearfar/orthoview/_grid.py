@@ -1,4 +1,4 @@
-"""The octree's cells: cubes of the world, eight of which form a cell of the next level; directions of their views."""
+"""Cells of the octree, cubes of which eight form a cell of the next level; directions of their views."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ MAX_CELLS = 1 << 31
 """Maximum number of leaf cells in a tree's box."""
 
 _ROUNDING = 1e-9
-"""Tolerance in cells for worlds that end on a cell's side up to rounding."""
+"""Tolerance, in cells, for worlds that end on a side of a cell except for rounding."""
 
 _VISIBLE_MARGIN = 8 * float(np.finfo(np.float32).eps)
-"""Share of the greatest coordinate by which surfaces may lie beyond the sides of a cell that shows them."""
+"""A cell shows surfaces that lie beyond its sides by at most this share of the greatest coordinate."""
 
 OCTANTS: tuple[Place, ...] = tuple((x, y, z) for x, y, z in itertools.product((0, 1), repeat=3))
 """Places of children in their parent, in build order."""
@@ -45,15 +45,15 @@ class Grid:
     def from_bounds(cls, bounds: NDArray[np.float64], cell: float) -> Grid:
         """Return the grid over a finite world box.
 
-        Along the ground, cells begin at multiples of their side, so that trees of the same side fit together. Upwards
-        they begin at the whole metre below the box: a flat world takes one layer, whatever its height.
+        Horizontally, cells begin at multiples of their side, so that the cells of several trees coincide. Vertically,
+        they begin at the whole metre below the box, so that a flat world at any height has one layer of leaves.
         """
-        with np.errstate(over="ignore", invalid="ignore"):  # a side near 0 asks for infinitely many cells
+        with np.errstate(over="ignore", invalid="ignore"):  # a side near 0 gives infinitely many cells
             low = np.floor(bounds[0] / cell) * cell
             # Rounding may put the product beyond the world's side.
             low = np.where(low > bounds[0], low - cell, low)
             low[1] = np.floor(bounds[0, 1])
-            # A world that ends on a cell's side, up to rounding, needs no further cell: cells include their sides.
+            # A world that ends on a cell's side except for rounding needs no further cell: cells include their sides.
             counts = np.maximum(np.ceil((bounds[1] - low) / cell - _ROUNDING), 1)
             total = counts.prod()
         if not total <= MAX_CELLS:
@@ -73,7 +73,6 @@ class Grid:
 
     @property
     def levels(self) -> int:
-        """Number of levels."""
         return (max(self.counts) - 1).bit_length() + 1
 
     @property
@@ -101,13 +100,13 @@ class Grid:
         return np.array([self.corner(level, place), self.corner(level, (place[0] + 1, place[1] + 1, place[2] + 1))])
 
     def touches(self, level: int, place: Place, aabb: NDArray[np.float64]) -> bool:
-        """Whether surfaces in a box may be visible in a cell, which includes its sides up to rounding."""
+        """Whether surfaces in a box may be visible in a cell."""
         box = self.box(level, place)
         reach = _VISIBLE_MARGIN * np.abs(box).max()
         return bool((box[0] - reach <= aabb[1]).all() and (aabb[0] <= box[1] + reach).all())
 
     def leaves(self, level: int, place: Place) -> int:
-        """Number of the world's leaves in a cell."""
+        """Number of leaves of the grid in a cell."""
         side = 1 << level
         parts = (min((n + 1) * side, count) - n * side for n, count in zip(place, self.counts, strict=True))
         return math.prod(max(part, 0) for part in parts)
@@ -123,7 +122,7 @@ class Grid:
     def descendants(
         self, level: int, place: Place, lower: int, is_visited: Callable[[int, Place], bool] = lambda level, place: True
     ) -> Iterator[Place]:
-        """Places of a cell's descendants on a lower level, in build order, below visited cells only."""
+        """Places of a cell's descendants on a lower level, in build order; descends only into visited cells."""
         if level == lower:
             yield place
             return
@@ -149,7 +148,7 @@ def places_of(rows: NDArray[np.integer]) -> list[Place]:
 
 
 Direction = tuple[int, int, int]
-"""Side of a cell that the viewer is on: −1, 0 or 1 along each axis."""
+"""Direction from a cell to the viewer: −1, 0 or 1 along each axis."""
 
 _SIDES: list[Direction] = [(0, 0, 1), (1, 0, 0), (0, 0, -1), (-1, 0, 0)]
 _TOP: list[Direction] = [(0, 1, 0)]

@@ -1,8 +1,8 @@
-"""Places of chunks in their shards, as the records of subtrees list them: a reader needs no index of a shard's own.
+"""Positions of chunks in their shards, as records list them: readers with records need not read the shards' indexes.
 
-A shard's list has its chunks in the order of the file: the steps from one cell's number to the next (x, y, z; z
-fastest), then the lengths, all as uint32. A chunk begins where the one before ends. The lowest bytes of all numbers
-come first, then the second lowest and so on, which compresses better.
+A shard's list has its chunks in file order: first the differences between successive cell numbers (z varies fastest),
+then the chunks' lengths, all as uint32. Each chunk begins where its predecessor ends. The lowest bytes of all numbers
+are stored first, then the second lowest and so on, which compresses better.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ Index = NDArray[np.uint64]
 """First bytes and lengths (side, side, side, 2) of a shard's chunks."""
 
 
-class ListedShard(NamedTuple):
+class ShardEntry(NamedTuple):
     """Entry of a shard in a record."""
 
     size: int
@@ -33,17 +33,17 @@ class ListedShard(NamedTuple):
 
 
 def pack_index(index: Index) -> str:
-    """Pack the list of a shard's chunks, which lie one behind the other from its first byte on."""
+    """Pack the list of a shard's chunks, which fill the shard from its first byte without gaps."""
     rows = index.reshape(-1, 2)
     (cells,) = np.nonzero(rows[:, 0] != ABSENT)
-    # Chunks of length 0 lie before the one that begins at the same byte.
+    # Sorted by first byte, then by length: an empty chunk precedes the chunk that begins at the same byte.
     cells = cells[np.lexsort((rows[cells, 1], rows[cells, 0]))]
     words = np.concatenate([np.diff(cells, prepend=0), rows[cells, 1].astype(np.int64)]).astype("<i8").astype("<u4")
     return pack(words.view(np.uint8).reshape(-1, 4).T.tobytes())
 
 
 def unpack_index(name: str, packed: str, side: int) -> Index:
-    """Unpack the list of a shard of side³ cells; UnusableError, which begins with `name`, for a damaged one."""
+    """Unpack the list of a shard of side³ cells; UnusableError that names the shard for a damaged list."""
     count = side**3
     data = np.frombuffer(unpack(name, packed, 8 * count + 1), np.uint8)
     if len(data) % 8 or len(data) > 8 * count:

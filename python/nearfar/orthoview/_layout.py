@@ -1,11 +1,12 @@
 """Layout of a tree, and the places of its parts in the store.
 
-A store is a group of Zarr v3. Level L and direction D have the array ``L/D`` of X × Y × Z cells with a chunk each: all
-bytes of a view, so that a reader gets a view by one request. A shard holds the chunks of a subtree, which one task
-writes: 2ᵐ leaves along each axis and their parents on m levels, then as many cells of the next m levels, and so on.
+A store is a group of Zarr v3. The array ``L/D`` has the views of level L from direction D: X × Y × Z cells with one
+chunk each. A chunk is a whole view, so that a reader gets it by one request. A subtree, the unit of work of a build,
+has m levels, with 2ᵐ cells along each axis on the lowest one; tiers of subtrees follow each other from the leaves to
+the root. A shard holds the chunks of a subtree in one array.
 
 A view's bytes are the colours of all its layers, then the planes of depth bytes, the lowest first, then the normals.
-Planes of bytes compress better than whole depths (by 4 % of a view), colours and normals better pixel by pixel.
+Depths compress better in planes of bytes (by 4 % of a view), colours and normals better pixel by pixel.
 """
 
 from __future__ import annotations
@@ -31,8 +32,14 @@ Key = tuple[int, Place, str]
 ViewKey = tuple[int, Place, int]
 """Level, place and direction of a view."""
 
+SubtreeKey = tuple[int, Place]
+"""Tier and place of a subtree."""
+
+Chunk = tuple[int, int]
+"""First byte and length of a chunk in its shard."""
+
 CONNECTION_BITS = 4
-"""Bits below a depth's: connected to the neighbour to the right, below, below right, below left."""
+"""Number of bits below a depth, for the connections to the neighbours to the right, below, below right, below left."""
 
 FOLDER = "nearfar"
 """Folder in a store for files that are not part of Zarr."""
@@ -82,11 +89,11 @@ class Layout:
     geometry: bool = False
     """Whether the store also has the geometry of leaves."""
     layers: int = 1
-    """1, or 2 to keep also surfaces behind the first ones that no view shows."""
+    """1, or 2 to store also a second surface behind that of each pixel."""
 
     @property
     def format(self) -> tuple[int, int, int]:
-        """Format of views, as the core takes it."""
+        """Format of views, as an argument of the core."""
         return self.size, self.depth_bits, self.normal_bits
 
     @property
@@ -114,7 +121,7 @@ class Layout:
         return 1 << (self.subtree - level % self.subtree)
 
     def shard_of(self, level: int, place: Place) -> tuple[Place, Place]:
-        """Shard that holds a cell, and the cell's place in it."""
+        """Place of the shard that holds a cell, and the cell's place in the shard."""
         side = self.shard_side(level)
         (x, y, z), (u, v, w) = ([divmod(number, side)[part] for number in place] for part in (0, 1))
         return (x, y, z), (u, v, w)
@@ -130,7 +137,7 @@ class Layout:
         shard, _ = self.shard_of(level, place)
         return "/".join(map(str, (array, "c", *shard, 0)))
 
-    def subtree_of(self, shard_path: str) -> tuple[int, Place]:
+    def subtree_of(self, shard_path: str) -> SubtreeKey:
         """Tier and place of the subtree whose shard has a path."""
         level, _, _, x, y, z, _ = shard_path.split("/")
         return int(level) // self.subtree, (int(x), int(y), int(z))
@@ -200,7 +207,7 @@ class Layout:
 
     @property
     def _coding(self) -> dict[str, Any]:
-        """Codecs of chunks, as zarr takes them."""
+        """Codecs of chunks, as arguments of zarr."""
         from zarr.codecs import Crc32cCodec, ZstdCodec
 
         if self.color == "zstd":
@@ -224,7 +231,7 @@ class Layout:
         }
 
     @classmethod
-    def from_described(cls, described: dict[str, Any]) -> Layout:
+    def from_json(cls, described: dict[str, Any]) -> Layout:
         """Return the layout that `to_json` encoded; KeyError, TypeError or ValueError for anything else."""
         x, y, z = (check.number("origin", value) for value in described["origin"])
         columns, layers, rows = (check.integer("counts", value, 1, MAX_CELLS) for value in described["counts"])
@@ -247,5 +254,5 @@ class Layout:
             _core.orthoview_axes(direction)
         _core.orthoview_steps(layout.format)
         if described != layout.to_json():
-            raise ValueError("its layout does not fit together")
+            raise ValueError("the fields of its layout contradict each other")
         return layout

@@ -22,17 +22,17 @@ from nearfar.orthoview._owners import guests
 from nearfar.orthoview._subtree import Outcome, Subtree
 
 MAX_FAILED_LEAVES = 1000
-"""Number of leaves that a source may fail to return before the build stops."""
+"""Number of failed leaves at which the build stops."""
 
 LOCKS = "locks"
-"""Folder with a lock for each subtree of leaves in work."""
+"""Folder with a lock for each subtree of leaves that is being built."""
 
 RemoteOutcome = Callable[[Place], Outcome | None]
 """Returns the outcome of a subtree of leaves that another process built, else None."""
 
 
 class Leaves:
-    """Renders leaves and builds the subtrees that hold them, when their parents need them.
+    """Renders leaves and builds the subtrees that hold them, when the subtrees above need them.
 
     `folder` is that of the store, or of one of its generations.
     """
@@ -61,12 +61,12 @@ class Leaves:
         return self._subtree(place)
 
     def _subtree(self, place: Place) -> Outcome:
-        """Build a subtree of leaves. Wait first for the lock: a worker assumed lost may still be building it."""
+        """Build a subtree of leaves. Wait for its lock first: a disconnected worker may still be building it."""
         with locks.hold(self.folder / FOLDER / LOCKS / name_of(place), None):
             return Subtree(self.layout, self.folder, 0, place, self).run()
 
-    def base(self, tier: int, place: Place) -> Outcome:
-        """Outcome of a leaf in the first tier; in other tiers, of the whole subtree below a cell."""
+    def build_lowest(self, tier: int, place: Place) -> Outcome:
+        """Render a leaf in the lowest tier; in other tiers, build the subtree below a cell."""
         if not tier:
             self.pass_over(0, place)
             return self._leaf(place)
@@ -97,7 +97,7 @@ class Leaves:
             self.geometry.write(part, place)
 
     def failure(self, place: Place, error: Exception, *, is_partial: bool = False) -> Outcome:
-        """Outcome of a leaf that the source failed to return, or returned in part."""
+        """Return the outcome of a leaf that the source failed to return, or returned in part."""
         reason = check.one_line(f"{type(error).__name__}: {error}", 180)
         outcome = Outcome(is_complete=False, failed={name_of(place): reason})
         if not is_partial:
@@ -115,11 +115,11 @@ class Leaves:
         return None if may_touch(self.source, self.layout.grid.box(level, place)) else Outcome()
 
     def chunks_before(self, _level: int, _place: Place) -> AbstractSet[int]:
-        """Views of the cell in older generations: none, since a build makes the first generation."""
+        """Return no directions: a build makes the first generation."""
         return frozenset()
 
     def pass_over(self, level: int, place: Place) -> None:
-        """Count the leaves of a cell as done."""
+        """Count the leaves of a cell as done, for the progress bar."""
         self._passed += self.layout.grid.leaves(level, place)
         if self._report is not None:
             self._report(self._passed, math.prod(self.layout.grid.counts))

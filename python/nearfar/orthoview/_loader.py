@@ -1,4 +1,4 @@
-"""Background threads that read the parts a flight needs, the most urgent first."""
+"""Background threads that read the parts of a flight, the most urgent first."""
 
 from __future__ import annotations
 
@@ -34,11 +34,11 @@ class Loader:
         self._count = threads
 
     def want(self, parts: Sequence[Part]) -> None:
-        """Replace the queue by these parts, the first ones first; no effect once closed."""
+        """Replace the queue by parts in order of urgency; no effect once closed."""
         with self._changed:
             if self._is_closed:
                 return
-            self._begin()
+            self._start_threads()
             excluded = self._in_progress | self._damaged
             self._queue = deque(part for part in parts if part not in excluded and not self._is_read(part))
             self._changed.notify_all()
@@ -77,17 +77,17 @@ class Loader:
         for thread in self._threads:
             thread.join()
 
-    def _begin(self) -> None:
+    def _start_threads(self) -> None:
         while len(self._threads) < self._count:
             thread = threading.Thread(target=self._work, name="nearfar-flight", daemon=True)
             self._threads.append(thread)
             thread.start()
 
     def _work(self) -> None:
-        while (part := self._next()) is not None:
-            self._try(part)
+        while (part := self._take_next()) is not None:
+            self._read_next(part)
 
-    def _next(self) -> Part | None:
+    def _take_next(self) -> Part | None:
         """Wait for the next part to read; None once the loader is closed."""
         with self._changed:
             while not self._is_closed and (not self._queue or time.monotonic() < self._retry_time):
@@ -98,7 +98,7 @@ class Loader:
             self._in_progress.add(part)
             return part
 
-    def _try(self, part: Part) -> None:
+    def _read_next(self, part: Part) -> None:
         try:
             self._read(part)
         except FormatError as error:
@@ -120,7 +120,7 @@ class Loader:
 
     @contextmanager
     def _ending(self, part: Part) -> Iterator[None]:
-        """Change the state after a part has been tried."""
+        """Lock the state for changes after an attempt to read a part, and wake waiting threads."""
         with self._changed:
             yield
             self._in_progress.discard(part)

@@ -1,4 +1,4 @@
-"""A client's measurements of its link: bytes a second, and mean sizes of views and of leaves' geometry."""
+"""Measures a client's link: bytes a second, and mean sizes of views and of leaves' geometry."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ HALF_LIFE = 1.0
 
 @dataclass(frozen=True)
 class LinkTotals:
-    """Totals received until a time."""
+    """Counts and bytes of the views and leaves received until a time."""
 
     views: int = 0
     view_bytes: int = 0
@@ -22,12 +22,11 @@ class LinkTotals:
 
     @property
     def bytes(self) -> int:
-        """Bytes of views and leaves."""
         return self.view_bytes + self.leaf_bytes
 
 
 class Meter:
-    """Measures a link while something is read."""
+    """Measures a link during the times at which requests are outstanding."""
 
     def __init__(self) -> None:
         self._time, self._received = 0.0, LinkTotals()
@@ -48,7 +47,7 @@ class Meter:
         return self._bytes / self._weight if self._weight > 0.0 and self._bytes > 0.0 else math.inf
 
     def bytes_of(self, part: Part) -> float:
-        """Expected bytes of a part: the mean of those received."""
+        """Expected bytes of a part: the mean of the received parts of its kind."""
         received = self._received
         if kind(part) == GEOMETRY:
             return received.leaf_bytes / max(received.leaves, 1)

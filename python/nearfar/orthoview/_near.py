@@ -1,4 +1,4 @@
-"""Reads leaves near the viewer as geometry, and joins those that are drawn into one scene."""
+"""Reads the geometry of leaves near the viewer, and joins the leaves of a picture into one scene."""
 
 from __future__ import annotations
 
@@ -26,10 +26,10 @@ _TEXTURE = re.compile("[0-9a-f]+[.]webp")
 
 
 class Near:
-    """Reads the geometry of leaves, and caches those used last; thread-safe.
+    """Reads the geometry of leaves, and caches the most recently used ones; thread-safe.
 
-    Scenes of up to `max_bytes` bytes are cached, which the leaves of one picture may exceed, and as many bytes of
-    texture files. Messages name the store by `address`, its folder or URL.
+    Caches scenes of up to `max_bytes` bytes, or more if one picture needs them, and texture files of up to `max_bytes`.
+    Messages name the store by `address`, its folder or URL.
     """
 
     def __init__(self, address: str, chunks: Chunks, grid: Grid, max_bytes: int) -> None:
@@ -37,14 +37,14 @@ class Near:
         self.origin = origin_for(grid.bounds)
         """World position (3,) that the scenes' positions are relative to, metres."""
         self.cache: Recent[Place, Scene | None] = Recent(lambda scene: 0 if scene is None else scene._core.bytes())
-        """Leaves; empty ones are None. It also counts the bytes of textures."""
+        """Scenes of leaves, None for empty leaves; its `read_bytes` include textures."""
         self._images: Recent[str, bytes] = Recent(len)
         self._joined: tuple[tuple[Place, ...], Scene | None] = ((), None)
         self._lock = threading.Lock()
         self._lock_by_image: defaultdict[str, threading.Lock] = defaultdict(threading.Lock)
 
     def scene(self, places: Sequence[Place]) -> Scene | None:
-        """Geometry of leaves as one scene; leaves that are not cached are read. None if all are empty."""
+        """Return the geometry of leaves as one scene, None if all are empty; read leaves that are not cached."""
         self.load(places)
         scene = self.cached_scene(places)
         self.trim(set(places))
@@ -60,7 +60,7 @@ class Near:
         return self._joined[1]
 
     def trim(self, needed: Collection[Place]) -> None:
-        """Evict the least recently used leaves, but none that are needed, until the cache fits its size."""
+        """Evict the least recently used leaves, except needed ones, until the cache fits its size."""
         self.cache.trim(needed, self._max_bytes)
 
     def load(self, places: Sequence[Place]) -> None:
@@ -68,13 +68,13 @@ class Near:
         for place in places:
             if place not in self.cache:
                 with formats.guarded(self._address, "orthoviews"):
-                    parts = [part for name in names(self._grid, place) if (part := self._file(name)) is not None]
+                    parts = [part for name in names(self._grid, place) if (part := self._read_file(name)) is not None]
                 self.cache.put(place, join_scenes(parts) if parts else None)
                 with self._lock:
                     if place in self._joined[0]:
                         self._joined = ((), None)
 
-    def _file(self, name: str) -> Scene | None:
+    def _read_file(self, name: str) -> Scene | None:
         data = self._chunks.geometry(name)
         if data is None:
             return None
@@ -85,7 +85,7 @@ class Near:
         return Scene(**assemble(content, LoadOptions(), origin=self.origin))
 
     def image(self, name: str) -> bytes:
-        """Bytes of a texture; threads that want the same one wait for the first of them to read it."""
+        """Return the bytes of a texture file; if several threads need the same file, only the first one reads it."""
         with self._lock:
             lock = self._lock_by_image[name]
         with lock:
@@ -101,7 +101,7 @@ class Near:
 
 
 class _Images:
-    """Resolver of the textures that leaves share, for trimesh."""
+    """Resolver of the textures that leaves share, for the glTF reader."""
 
     parent = FOLDER
 

@@ -1,4 +1,4 @@
-"""Near and far part of a tree around a centre, for `nearfar.reduce`."""
+"""Near geometry and far map of a tree around a centre, for `nearfar.reduce`."""
 
 from __future__ import annotations
 
@@ -33,14 +33,14 @@ CHANNELS = ("color", "range")
 
 
 class NearFarTree(FlightTree, NearFarSource):
-    """A tree that near–far reduction takes like a scene; for errors see `OrthoTree`."""
+    """A tree that `nearfar.reduce` accepts like a scene; for errors see `OrthoTree`."""
 
     def near_scene(self, center: ArrayLike, radius: SupportsFloat) -> Scene | None:
-        """Read the geometry of all leaves that reach within a radius of a vertical axis, and moving objects.
+        """Read the moving objects, and the geometry of all leaves that reach within a radius of a vertical axis.
 
         `center` is the world position (3,) of a point on the axis; it and the radius are in metres. Returns None if
-        there is nothing. ValueError for values out of range, or a tree without geometry;
-        FormatError and OSError for damaged or unreadable files.
+        there is neither. ValueError for values out of range, or a tree without geometry; FormatError and OSError for
+        damaged or unreadable files.
         """
         axis_point, reach = np.array(check.vector("center", center)), check.positive("radius", radius)
         if not self._layout.geometry:
@@ -65,8 +65,7 @@ class NearFarTree(FlightTree, NearFarSource):
         """Render an environment map of the world beyond a radius of the vertical axis through a centre.
 
         Leaves near the centre are baked as geometry; farther cells are drawn from views. Moving objects are left out.
-        ValueError for values out of range; FormatError and OSError for damaged or unreadable
-        parts of the store.
+        ValueError for values out of range; FormatError and OSError for damaged or unreadable parts of the store.
 
         Parameters
         ----------
@@ -98,7 +97,7 @@ class NearFarTree(FlightTree, NearFarSource):
         render_faces = partial(self._faces, cameras, splats, near_leaves, reach)
         if grid == 1 or "range" not in channels:
             images = render_faces(("color", *({"range"} & {*channels})), grid)
-        else:  # range is taken at the texels' centres
+        else:  # range is sampled at the texels' centres only
             images = render_faces(("color",), grid) | render_faces(("range",), 1)
         if baking.half and "range" in images:
             images["range"] = to_half(images["range"])
@@ -147,7 +146,7 @@ class NearFarTree(FlightTree, NearFarSource):
         return far_splats
 
     def _learn_records(self, leaves: list[Place]) -> None:
-        """Read the records of the leaves' subtrees, which list guests, unless a cut has read them."""
+        """Read the records of the leaves' subtrees, which list the leaves' guests, unless a cut has read them."""
         cutter, side = self._viewer.cutter, self._layout.shard_side(0)
         for x, y, z in dict.fromkeys((x // side, y // side, z // side) for x, y, z in leaves):
             if not cutter.knows(0, (x, y, z)):

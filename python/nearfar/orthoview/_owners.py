@@ -1,15 +1,16 @@
 """Assigns each triangle of a world to one of the leaves that it touches.
 
-Queries return whole triangles that touch a box, so that neighbouring leaves get the same ones. A triangle belongs to
+Queries return whole triangles that touch a box, so neighbouring leaves get the same triangles. A triangle belongs to
 the leaf that holds its first corner inside the tree's box; cells are half-open, except that the last ones include their
-far sides. Corners are compared with the same numbers as in a query, so no rounding hides a triangle from its leaf.
+far sides. Corners are compared with the same numbers as in a query, so that rounding never excludes a triangle from the
+query of its own leaf.
 
 If a tree covers part of a world, triangles may have no corner inside it. Such a triangle is clipped to the tree's box
 and belongs to the leaf that holds the mean of the clipped polygon's corners. That point is off the triangle by some
 float64 roundings, which is less than the tolerance of queries.
 
-Guests of a leaf are other leaves that own triangles reaching into it. Each triangle is in the file of one leaf, so a
-leaf drawn as geometry needs its guests' files, too.
+Guests of a leaf are other leaves that own triangles reaching into it. Each triangle is in the file of one leaf only, so
+drawing a leaf as geometry needs the files of its guests, too.
 """
 
 from __future__ import annotations
@@ -56,7 +57,7 @@ def _sides(grid: Grid, first: Place, end: Place, part: Scene) -> tuple[Floats, F
 
 
 def _anchors(corners: NDArray[np.float32], low: Floats, high: Floats) -> Floats:
-    """Point (T, 3) that decides a triangle's leaf; NaN for triangles outside the tree's box."""
+    """Points (T, 3) whose leaves own the triangles; NaN for triangles outside the tree's box."""
     is_inside = np.asarray(((corners >= low) & (corners <= high)).all(axis=2))
     rows = np.arange(len(corners))
     anchors: Floats = corners[rows, is_inside.argmax(axis=1)].astype(np.float64)
@@ -94,7 +95,7 @@ Guests = dict[Place, list[Place]]
 """Guests by leaf; leaves without guests may be missing."""
 
 _MAX_UNPACKED_BYTES = 1 << 26
-"""Maximum number of bytes that a text may unpack to."""
+"""Maximum size of a decoded text, bytes."""
 
 
 def guests(part: Scene, grid: Grid, place: Place) -> list[Place]:

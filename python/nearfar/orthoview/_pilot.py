@@ -1,4 +1,4 @@
-"""Plans what a client reads: the cut of its picture, parts to prefetch along its motion, and how coarse both may be."""
+"""Plans the reads of a client: parts of its picture's cut and of cuts along its motion, as fine as the link allows."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from nearfar._camera.camera import Camera
 from nearfar._camera.rotation import compose_rotations, rotation
 from nearfar.orthoview._cut import Cutter, OrthoCut, Part, Settings, leaf_parts, records_of
 from nearfar.orthoview._meter import Meter
-from nearfar.orthoview._prefetch import Outlook, PrefetchQueue, offsets, queue, seen_parts, smallest
+from nearfar.orthoview._prefetch import Frustums, PrefetchQueue, offsets, queue, seen_parts, smallest_side
 from nearfar.orthoview._standins import PartsByCell
 
 WINDOW = 0.25
@@ -78,25 +78,25 @@ class Motion:
 
 
 RENEWED_TURN = math.radians(5.0)
-"""Turn after which the queue is renewed; it is also renewed when the speed has doubled or halved."""
+"""Turn after which the queue is renewed, radians; it is also renewed when the speed has doubled or halved."""
 
 MAX_TURN_SECONDS = 1.0
 """Maximum number of seconds for which a turn is extrapolated."""
 
 HORIZON_SECONDS = 1.0
-"""Seconds of its course that a viewer looks ahead, at most the side of the smallest cell."""
+"""Seconds of motion that are looked ahead; the distance is at most the side of the smallest cell."""
 
 STEPS = 10
-"""Number of steps, each a factor of √2, by which a picture becomes coarser when the viewer is too fast."""
+"""Maximum number of steps, each a factor of √2, by which the error grows when the viewer is too fast."""
 
 HYSTERESIS = 1.5
-"""Factor by which the speed limit must exceed the speed before the picture becomes finer again (hysteresis)."""
+"""Factor by which the speed limit must exceed the speed before the picture becomes finer again."""
 
 RATE_SHARE = 0.8
-"""Share of the link's rate that the parts on a viewer's course may take."""
+"""Share of the link's rate that is available for the parts ahead."""
 
 MIN_SPEED, MIN_COMPARED_SPEED = 1e-3, 1.0
-"""Metres a second below which a viewer counts as resting, and below which changes of speed are ignored."""
+"""Speed in metres a second below which a viewer counts as resting; speed below which changes of speed are ignored."""
 
 
 @dataclass(frozen=True)
@@ -104,7 +104,7 @@ class PrefetchSettings:
     """Prefetch settings of a client."""
 
     prefetch: bool = True
-    """Whether the client reads what it needs next, besides what the picture shows."""
+    """Whether the client also reads parts that it will need soon."""
     margin: float | None = math.radians(5.0)
     """Margin around the picture for prefetching, radians; None for all directions."""
     adapt: bool = True
@@ -116,7 +116,7 @@ class Plan:
     """Parts that a client needs."""
 
     wanted: PartsByCell
-    """Cells of the picture's cut, and the parts that each is to be drawn from."""
+    """Cells of the picture's cut, and the parts from which each should be drawn."""
     order: list[Part]
     """Parts to read, the most urgent first; it may include parts already read."""
     error_px: float
@@ -124,14 +124,14 @@ class Plan:
     further_pictures: list[PartsByCell] = field(default_factory=list)
     """Cells and parts of further pictures drawn at the same time."""
     unread: list[int] = field(default_factory=list)
-    """Number of subtrees that each picture's cut lacks, because their records have not been read."""
+    """Number of subtrees whose records each picture's cut still needs."""
     unbuilt: list[int] = field(default_factory=list)
     """Number of cells of each picture's cut that an unfinished build has not reached."""
 
 
 @dataclass(frozen=True)
 class _QueueState:
-    """A queue, and the state for which it was made."""
+    """A queue, and the state of the viewer for which it was made."""
 
     queue: PrefetchQueue
     camera: Camera
@@ -146,20 +146,18 @@ class Pilot:
         self._cutter, self._settings, self._ahead = cutter, settings, ahead
         self._motion = Motion()
         self.camera: Camera | None = None
-        """Camera of the viewer."""
         self._further_cameras: Sequence[Camera] = ()
         self._error = settings.error_px
         self._target_error = settings.error_px
         self._queue_state: _QueueState | None = None
         self._coarsest: list[Part] = []
         self.meter = Meter()
-        """Measures the link."""
-        self.limit = math.inf
+        self.speed_limit = math.inf
         """Speed that the link allows at the error of the settings, metres a second; higher far from small cells."""
 
     @property
     def settings(self) -> Settings:
-        """Settings with the error now in force."""
+        """Settings with the present error."""
         return replace(self._settings, error_px=self._error)
 
     def switch_to(self, cutter: Cutter) -> None:
@@ -179,14 +177,14 @@ class Pilot:
         records: list[Part] = []
         soon: list[Part] = []
         if self._ahead.prefetch:
-            renewed = self._queue(camera)
-            records, soon = [*renewed.unknown], [*renewed.needed, *renewed.soon]
-        cut, coming = self._cut(camera, is_read)
+            prefetched = self._queue(camera)
+            records, soon = [*prefetched.unknown], [*prefetched.needed, *prefetched.soon]
+        cut, next_parts = self._cut(camera, is_read)
         parts_by_cell = self.parts_of_cut(cut)
         if not self._coarsest:
             self._coarsest = self._coarsest_views(camera)
-        # A finer picture is read last.
-        later = [*soon, *coming] if self._target_error < self._error else [*coming, *soon]
+        # The parts of a finer picture are read last.
+        later = [*soon, *next_parts] if self._target_error < self._error else [*next_parts, *soon]
         further_cuts = [self._cutter.cut(further_camera, self.settings) for further_camera in self._further_cameras]
         further_pictures = [self.parts_of_cut(further_cut) for further_cut in further_cuts]
         records += [record for further_cut in further_cuts for record in records_of(further_cut)]
@@ -204,30 +202,30 @@ class Pilot:
         return parts
 
     def _cut(self, camera: Camera, is_received: Callable[[Part], bool]) -> tuple[OrthoCut, list[Part]]:
-        """Return the cut at the error in force, and the parts of the cut at the target error.
+        """Return the cut at the present error, and the parts of the cut at the target error if that differs.
 
-        The target error comes into force once all its parts are read; a coarser one also if parts of the finer cut are
-        missing.
+        The target error replaces the present one once all parts of its cut have been read, or at once if it is coarser
+        and parts of the present cut are missing.
         """
         current = self._cutter.cut(camera, self.settings)
         if self._target_error == self._error:
             return current, []
         next_cut = self._cutter.cut(camera, replace(self._settings, error_px=self._target_error))
-        coming = [*chain(*self.parts_of_cut(next_cut).values())]
-        is_read = all(map(is_received, coming)) and not next_cut.unknown
+        next_parts = [*chain(*self.parts_of_cut(next_cut).values())]
+        is_read = all(map(is_received, next_parts)) and not next_cut.unknown
         is_coarser = self._target_error > self._error
         if is_read or (is_coarser and not all(map(is_received, chain(*self.parts_of_cut(current).values())))):
             self._error = self._target_error
             return next_cut, []
-        return current, coming
+        return current, next_parts
 
     def _coarsest_views(self, camera: Camera) -> list[Part]:
-        """Coarsest views, parts of which stand in for all cells not yet read."""
+        """Coarsest views: parts of them replace any cell that has not been read."""
         coarsest = replace(self._settings, error_px=1e30, geometry=False)
         return self._cutter.cut(camera, coarsest, around=True).keys()
 
     def _queue(self, camera: Camera) -> PrefetchQueue:
-        """Return the queue; make a new one if the viewer has moved or turned, or if records were unknown."""
+        """Return the prefetch queue; make a new one if the viewer has moved or turned, or the old one lacks records."""
         old = self._queue_state
         speed = float(np.linalg.norm(self._motion.velocity))
         if speed <= MIN_SPEED:
@@ -236,20 +234,20 @@ class Pilot:
             return old.queue
         course = self._motion.velocity / speed if speed > MIN_SPEED else None
         settings = self.settings
-        ahead = smallest(self._cutter.cut(camera, settings, around=True), self._cutter.grid)
+        ahead = smallest_side(self._cutter.cut(camera, settings, around=True), self._cutter.grid)
         if course is not None:
             ahead = min(ahead, speed * HORIZON_SECONDS)
         seconds = min(ahead / speed, MAX_TURN_SECONDS) if speed > MIN_SPEED else MAX_TURN_SECONDS
         cameras = [self._motion.extrapolate(seconds, offset) for offset in offsets(ahead, course)]
-        outlook = Outlook([camera, *cameras[:1]], self._ahead.margin)
-        renewed = queue(self._cutter, settings, camera, cameras, outlook)
+        frustums = Frustums([camera, *cameras[:1]], self._ahead.margin)
+        renewed = queue(self._cutter, settings, camera, cameras, frustums)
         self._queue_state = _QueueState(renewed, camera, self._error, speed)
         if self._ahead.adapt and course is not None:
-            self._adapt(speed, (camera, self._motion.extrapolate(0.0, ahead * course)), ahead, outlook)
+            self._adapt(speed, (camera, self._motion.extrapolate(0.0, ahead * course)), ahead, frustums)
         return renewed
 
     def _is_current(self, old: _QueueState, camera: Camera, speed: float) -> bool:
-        """Whether a queue has all parts at the error in force, and the viewer has hardly moved or turned since."""
+        """Whether a queue lacks no records, and the error, position, direction and speed have hardly changed since."""
         if old.queue.unknown or self._error != old.error_px:
             return False
         distance = np.linalg.norm(np.subtract(camera.position, old.camera.position))
@@ -257,21 +255,21 @@ class Pilot:
         is_as_fast = 0.5 <= max(speed, MIN_COMPARED_SPEED) / max(old.speed, MIN_COMPARED_SPEED) <= 2.0
         return bool(is_as_fast and distance <= old.queue.renewed_after and math.acos(cosine) <= RENEWED_TURN)
 
-    def _adapt(self, speed: float, ends: tuple[Camera, Camera], metres: float, outlook: Outlook) -> None:
-        """Set the target error: the least one at which the link keeps up with the viewer's course."""
+    def _adapt(self, speed: float, ends: tuple[Camera, Camera], metres: float, frustums: Frustums) -> None:
+        """Set the target error: the least one at which the link keeps up with the viewer."""
         base_error = self._settings.error_px
         for step in range(STEPS + 1):
             error = base_error * 2.0 ** (step / 2.0)
-            limit = self._limit(ends, metres, outlook, replace(self._settings, error_px=error))
+            limit = self._speed_limit(ends, metres, frustums, replace(self._settings, error_px=error))
             if step == 0:
-                self.limit = limit
+                self.speed_limit = limit
             if limit >= speed * (HYSTERESIS if error < self._error else 1.0):
                 break
         self._target_error = error
 
-    def _limit(self, ends: tuple[Camera, Camera], metres: float, outlook: Outlook, settings: Settings) -> float:
-        """Speed at which the parts that come into sight between two cameras arrive as fast as they are needed."""
+    def _speed_limit(self, ends: tuple[Camera, Camera], metres: float, frustums: Frustums, settings: Settings) -> float:
+        """Speed at which the link delivers the parts that come into view between two cameras just in time."""
         cuts = (self._cutter.cut(camera, settings, around=True) for camera in ends)
-        now, ahead = (seen_parts(self._cutter, cut, camera, outlook) for cut, camera in zip(cuts, ends, strict=True))
+        now, ahead = (seen_parts(self._cutter, cut, camera, frustums) for cut, camera in zip(cuts, ends, strict=True))
         size = sum(self.meter.bytes_of(part) for part in ahead.keys() - now.keys())
         return RATE_SHARE * self.meter.rate * metres / size if size > 0.0 else math.inf

@@ -1,4 +1,4 @@
-"""Prefetching: the parts that a viewer needs soon, from cuts at positions ahead."""
+"""Prefetching: finds the parts that a viewer will need soon from cuts at positions ahead."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ from nearfar.orthoview._cut import Cutter, OrthoCut, Part, Settings, leaf_parts,
 from nearfar.orthoview._grid import Grid, Place, places_of
 
 RENEWED_AFTER = 0.1
-"""Share of the look-ahead distance that a viewer moves before the queue is renewed."""
+"""Share of the look-ahead distance after which the queue is renewed."""
 
 _AXES = np.array([[-1, 0, 0], [1, 0, 0], [0, -1, 0], [0, 1, 0], [0, 0, -1], [0, 0, 1]], np.float64)
-"""Directions of the positions ahead of a viewer at rest."""
+"""Directions to the positions ahead of a resting viewer."""
 
 SIDEWAYS = math.tan(math.radians(15.0))
-"""Tangent of the angle between a viewer's course and the outer positions ahead."""
+"""Tangent of the angle between a viewer's course and the directions to the outer positions ahead."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,7 +29,8 @@ class PrefetchQueue:
     """Parts that a viewer needs now and soon, in the best order for reading."""
 
     needed: list[Part]
-    """Views of the cut at the position, as (level, place, direction), nearest first; of leaves' geometry with −1."""
+    """Parts of the cut at the position, nearest first: (level, place, direction) of views, (0, place, −1) of leaves'
+    geometry."""
     soon: list[Part]
     """Further parts of the cuts at the positions ahead, position by position, by distance and level."""
     positions: NDArray[np.float64]
@@ -37,7 +38,8 @@ class PrefetchQueue:
     ahead: float
     """Distance of the positions ahead, metres: the side of the smallest cell of the cut."""
     unknown: list[Part] = field(default_factory=list, repr=False)
-    """Records of subtrees not read yet, whose cells are not queued. Empty in queues of trees."""
+    """Records of subtrees that have not been read; their cells are not queued. Empty in queues from
+    `OrthoTree.prefetch_queue`."""
 
     @property
     def renewed_after(self) -> float:
@@ -45,30 +47,30 @@ class PrefetchQueue:
         return RENEWED_AFTER * self.ahead
 
     def __len__(self) -> int:
-        """Number of parts, needed now and soon."""
+        """Number of parts needed now or soon."""
         return len(self.needed) + len(self.soon)
 
 
-class Outlook:
-    """Frustum test: cells that lie in the pictures of cameras, or may when these turn by a margin.
+class Frustums:
+    """Frustum test for several cameras: finds cells in any of their pictures, each widened by a margin on all sides.
 
-    The cameras are those of now and of moments ahead. The margin is in radians; None stands for all directions.
+    The margin is in radians; None accepts cells in all directions.
     """
 
     def __init__(self, cameras: Iterable[Camera], margin: float | None) -> None:
         self._planes: list[NDArray[np.float64]] = []
-        """Inward normals (4, 3) of each frustum's sides, fewer if a side is beyond a right angle; empty if all cells
-        count."""
+        """Inward normals (4, 3) of each frustum's sides, without sides at more than a right angle from the axis; empty
+        if all cells are accepted."""
         for camera in cameras:
             if margin is None or not isinstance(camera.fov, Fov):
                 self._planes = []
                 return
             self._planes.append(_sides(camera, camera.fov, margin))
 
-    def sees(
+    def overlap(
         self, eye: NDArray[np.float64], corners: NDArray[np.float64], sides: NDArray[np.float64]
     ) -> NDArray[np.bool_]:
-        """Whether cells, given by least corners (N, 3) and sides (N,), reach into one of the pictures (N,)."""
+        """Whether cells, given by least corners (N, 3) and sides (N,), reach into any of the frustums (N,)."""
         if not self._planes:
             return np.ones(len(corners), bool)
         half_side = sides[:, None] / 2.0
@@ -90,15 +92,15 @@ def _sides(camera: Camera, fov: Fov, margin: float) -> NDArray[np.float64]:
     return np.array(normals).reshape(-1, 3)
 
 
-def smallest(cut: OrthoCut, grid: Grid) -> float:
-    """Side of the smallest cell of a cut, metres; of the whole world for an empty cut."""
+def smallest_side(cut: OrthoCut, grid: Grid) -> float:
+    """Side of the smallest cell of a cut, metres; for an empty cut, of the root's cell."""
     if len(cut.leaves):
         return grid.cell
     return grid.side(int(cut.level.min()) if len(cut) else grid.levels - 1)
 
 
 def offsets(ahead: float, course: NDArray[np.float64] | None) -> NDArray[np.float64]:
-    """Offsets (N, 3) of positions ahead from the viewer, metres: along and beside its course, or along all axes."""
+    """Offsets (N, 3) from the viewer to positions ahead, metres: along and beside its course, or along all axes."""
     if course is None:
         return ahead * _AXES
     sideways = np.cross(course, _AXES[np.abs(course).argmin() * 2])
@@ -109,35 +111,35 @@ def offsets(ahead: float, course: NDArray[np.float64] | None) -> NDArray[np.floa
 
 
 def queue(
-    cutter: Cutter, settings: Settings, present_camera: Camera, ahead: Sequence[Camera], outlook: Outlook
+    cutter: Cutter, settings: Settings, present_camera: Camera, ahead: Sequence[Camera], frustums: Frustums
 ) -> PrefetchQueue:
-    """Collect the parts of the cuts at a position and at positions ahead, for cells that an outlook sees."""
+    """Collect the parts of the cuts at a position and at positions ahead, for cells in any frustum."""
     present_cut = cutter.cut(present_camera, settings, around=True)
-    needed = seen_parts(cutter, present_cut, present_camera, outlook)
+    needed = seen_parts(cutter, present_cut, present_camera, frustums)
     unknown = dict.fromkeys(records_of(present_cut))
     later: dict[Part, tuple[int, float, int]] = {}
     eye = np.array(present_camera.position)
     for stage, camera in enumerate(ahead):
         cut = cutter.cut(camera, settings, around=True)
         unknown |= dict.fromkeys(records_of(cut))
-        for part in seen_parts(cutter, cut, camera, outlook):
+        for part in seen_parts(cutter, cut, camera, frustums):
             if part not in needed and part not in later:
                 level, place, _ = part
                 later[part] = stage, _distance(cutter.grid, level, place, eye), level
     soon = sorted(later, key=later.__getitem__)
     positions = np.array([camera.position for camera in ahead]).reshape(-1, 3)
-    return PrefetchQueue(list(needed), soon, positions, smallest(present_cut, cutter.grid), list(unknown))
+    return PrefetchQueue(list(needed), soon, positions, smallest_side(present_cut, cutter.grid), list(unknown))
 
 
-def seen_parts(cutter: Cutter, cut: OrthoCut, camera: Camera, outlook: Outlook) -> dict[Part, None]:
-    """Parts of the cells of a cut that an outlook sees: geometry, then views, the nearest cells first."""
+def seen_parts(cutter: Cutter, cut: OrthoCut, camera: Camera, frustums: Frustums) -> dict[Part, None]:
+    """Parts of a cut for the cells in any frustum: geometry, then views, the nearest cells first."""
     grid, eye = cutter.grid, np.array(camera.position)
     origin = np.array(grid.origin)
     leaves = origin + cut.leaves * grid.cell
-    is_near = outlook.sees(eye, leaves, np.full(len(leaves), grid.cell)) | cut.leaf_in_picture
+    is_near = frustums.overlap(eye, leaves, np.full(len(leaves), grid.cell)) | cut.leaf_in_picture
     parts: dict[Part, None] = dict.fromkeys(leaf_parts(places_of(cut.leaves[is_near]), cutter))
     sides = grid.cell * np.exp2(cut.level.astype(np.float64))
-    is_seen = outlook.sees(eye, origin + cut.place * sides[:, None], sides) | cut.in_picture
+    is_seen = frustums.overlap(eye, origin + cut.place * sides[:, None], sides) | cut.in_picture
     rows = zip(cut.level[is_seen].tolist(), cut.place[is_seen].tolist(), cut.directions[is_seen].tolist(), strict=True)
     for level, (x, y, z), directions in rows:
         parts |= {(level, (x, y, z), direction): None for direction in directions if direction >= 0}

@@ -1,21 +1,21 @@
-"""Presence masks: which cells of a subtree show something, from which directions, without reading the shards."""
+"""Presence masks: the directions from which each cell of a subtree shows something, as records list them."""
 
 from __future__ import annotations
 
 import base64
 import math
 import zlib
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nearfar._base.errors import UnusableError
 from nearfar.orthoview._grid import Place
-from nearfar.orthoview._layout import Key, Layout
+from nearfar.orthoview._layout import Chunk, Key, Layout
 
 UNCHANGED = 1 << 31
-"""Mask of a cell that is unchanged from older generations."""
+"""Mask of a cell that an update did not change: older generations have its mask."""
 
 UNBUILT = 1 << 29
 """Mask of a cell that an unfinished build has not reached, nor any cell below it."""
@@ -28,7 +28,7 @@ Masks = list[NDArray[np.uint32]]
 
 
 class Presence:
-    """Counts a subtree's chunks, and collects its masks; at first all are `value`: 0 for empty, or `UNCHANGED`."""
+    """Masks of a subtree's cells, and counts of its chunks; masks begin as `value`: 0 for empty, or `UNCHANGED`."""
 
     def __init__(self, layout: Layout, tier: int, value: int = 0) -> None:
         self._layout, self._lowest = layout, tier * layout.subtree
@@ -36,17 +36,16 @@ class Presence:
         self._cells: set[tuple[int, Place]] = set()
         self._chunks, self._bytes = 0, 0
 
-    def add_computed(self, level: int, place: Place) -> None:
-        """Record that a cell has been computed, so that its mask no longer is `UNCHANGED`."""
-        _, place_in_shard = self._layout.shard_of(level, place)
-        mask = self._masks[level - self._lowest]
-        if mask[place_in_shard] == UNCHANGED:
-            mask[place_in_shard] = 0
-
     def mark(self, level: int, place: Place, mask: int) -> None:
         """Set the mask of a cell without chunks: 0, `UNBUILT` or `PARTIAL`."""
         _, place_in_shard = self._layout.shard_of(level, place)
         self._masks[level - self._lowest][place_in_shard] = mask
+
+    def add_cell(self, level: int, place: Place, chunks: Mapping[str, Chunk]) -> None:
+        """Record a computed cell and its chunks by array."""
+        self.mark(level, place, 0)
+        for array, (_, length) in chunks.items():
+            self.add((level, place, array), length)
 
     def add(self, key: Key, length: int) -> None:
         """Record a chunk of a computed cell; length 0 means that it is missing."""
@@ -75,7 +74,7 @@ def pack(data: bytes) -> str:
 
 
 def unpack(name: str, text: str, limit: int) -> bytes:
-    """Decode text that `pack` returned for at most `limit` bytes: a damaged one may unpack to any length.
+    """Decode text that `pack` returned for at most `limit` bytes; damaged text might decode to any number of bytes.
 
     Raises UnusableError for damaged text; the message begins with `name`.
     """
@@ -85,7 +84,7 @@ def unpack(name: str, text: str, limit: int) -> bytes:
     except (ValueError, zlib.error) as error:
         raise UnusableError(f"{name}: {error}") from None
     if not stream.eof or stream.unused_data:  # zlib compares its checksum at the end
-        raise UnusableError(f"{name}: expected the end of the compressed bytes after their content")
+        raise UnusableError(f"{name}: expected the compressed bytes to end after their content")
     return content
 
 
@@ -117,7 +116,7 @@ def _mask(text: str, shape: tuple[int, int, int]) -> NDArray[np.uint32]:
 
 
 def newest_of(generations: Sequence[Masks], layout: Layout, tier: int, unknown: int = 0) -> Masks:
-    """Merge masks of generations, newest first: each cell takes the first one that is not `UNCHANGED`."""
+    """Merge masks of generations, newest first: a cell's first mask that is not `UNCHANGED`, or `unknown`."""
     merged = [np.full(shape, UNCHANGED, np.uint32) for shape in shapes(layout, tier)]
     for masks in generations:
         for mask, newer in zip(merged, masks, strict=True):

@@ -1,4 +1,4 @@
-"""A tree as a renderable."""
+"""The `RenderableTree` class: a tree that `nearfar.render` draws."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from nearfar._scene.scene import Scene, core_of
 from nearfar.orthoview._cut import MAX_VIEWS, OrthoCut, Settings
 from nearfar.orthoview._files import Files
 from nearfar.orthoview._stored import StoredTree
-from nearfar.orthoview._viewer import Opened, OrthoRenderable, Viewer
+from nearfar.orthoview._viewer import OpenStore, OrthoRenderable, Viewer
 
 MAX_SPLATS = (1 << 32) - 2
 """Maximum number of splats of a picture."""
@@ -52,22 +52,22 @@ class RenderableTree(StoredTree, OrthoRenderable):
     def _viewer(self) -> Viewer:
         return self._open_store().viewer
 
-    def _open_store(self, files: Files | None = None) -> Opened:
-        """Open the store, or read it by other `files` of the same content."""
+    def _open_store(self, files: Files | None = None) -> OpenStore:
+        """Open the store for drawing; `files` replaces the reader of its files."""
         self._require_records()
-        return Opened.from_files(
+        return OpenStore.from_files(
             files or self._files, self._layout, self.generation, self._cache_bytes, failed=len(self._failed)
         )
 
     def __getstate__(self) -> dict[str, Any]:
-        """Pickle without cached views: another process reads them itself."""
+        """Pickle without cached views, which another process reads again."""
         return {name: value for name, value in self.__dict__.items() if name != "_viewer"}
 
     def with_dynamic(self, scene: Scene) -> Self:
-        """Return the same tree with a scene's moving objects, which pictures show in front of and behind it by depth.
+        """Return the same tree with a scene's moving objects, which are drawn as geometry with correct occlusion.
 
-        The objects have their initial poses. They are drawn as geometry, and `object_id` numbers them; it is −1
-        elsewhere. TypeError for a value that is not a scene.
+        The objects have their initial poses. `object_id` numbers them, and is −1 elsewhere. TypeError for a value that
+        is not a scene.
         """
         core_of(scene)
         return self._copy(_movers=scene.with_dynamic(scene.object_names))
@@ -79,7 +79,7 @@ class RenderableTree(StoredTree, OrthoRenderable):
         return self._copy(_movers=self._movers.at(poses))
 
     def _copy(self, **changes: Any) -> Self:
-        """Copy the tree with other attributes; views that the copy reads stay cached for the next picture."""
+        """Copy the tree with changed attributes; the copy shares the cache of views."""
         tree = copy.copy(self)
         tree.__dict__.update(changes, _viewer=self._viewer)
         return tree
@@ -99,35 +99,34 @@ class RenderableTree(StoredTree, OrthoRenderable):
         """Return the cells that a viewer sees: near leaves as geometry, others from views, coarser with distance.
 
         Cells of level k are drawn from views at distances of at least 2ᵏ r. The reach r is p/(t `error_px`), where p is
-        the width of a leaf's pixel and t that of the picture's at a distance of 1 m. ValueError for values out of
-        range, TypeError for a value that is not a camera, or values of a wrong type; FormatError
-        and OSError for a damaged or unreadable record of the store. Source: Chaudhuri et al. (2009), Image-Based
-        Exploration of Massive Online Environments, section 4.2.
+        the width of a leaf's pixel and t the width of a picture's pixel at a distance of 1 m. ValueError for values out
+        of range, TypeError for a value that is not a camera, or values of a wrong type; FormatError and OSError for a
+        damaged or unreadable record of the store. Source: Chaudhuri et al. (2009), Image-Based Exploration of Massive
+        Online Environments, section 4.2.
 
         Parameters
         ----------
         camera
             The view.
         views
-            Number of views of a cell, 1 to 8: among those that show something, the ones whose directions are nearest to
-            the viewer's.
+            Number of views of a cell, 1 to 8: the non-empty views whose directions are nearest to the viewer's.
         error_px
             Greatest width of a view's pixels, in pixels of the picture. 2 suits thin clients: cells are drawn from half
             as far.
         geometry
-            Whether leaves so near that their views are too coarse are drawn as geometry, if the tree has it; else views
-            are drawn at any distance.
+            Whether leaves are drawn as geometry where their views are too coarse, if the tree has geometry. Otherwise
+            views are drawn at any distance.
         around
             Whether to include cells outside the picture: viewers turn faster than views arrive.
         continuous
-            Whether levels blend splat by splat: in a band of distances cells of two levels are drawn, some splats of
-            each.
+            Whether levels blend splat by splat: in a band of distances, some splats of each of two levels are drawn.
         gaze
-            Pixel that the viewer looks at: elsewhere `error_px` is divided by `nearfar.lod.acuity` of the least angle
+            Pixel that the viewer looks at. `error_px` of a cell is divided by `nearfar.lod.acuity` of the least angle
             between the gaze and the cell's points. None for a picture of uniform resolution.
         lift_deg
             Degrees, 0 to 90, by which the viewer's direction is raised towards the zenith (+y), at most to it, before
-            the nearest views are chosen; straight down stays. For viewers above and directions of the upper half.
+            the nearest views are chosen; a view straight down stays. It suits viewers above a world with views from the
+            upper half of the sphere.
         """
         settings = settings_of(views, error_px, geometry, continuous, gaze, lift_deg)
         checked_camera = check.instance("camera", camera, Camera)
@@ -149,8 +148,8 @@ class RenderableTree(StoredTree, OrthoRenderable):
     ) -> Frame:
         """Draw a picture from any viewpoint: the views of the cut as splats, and the nearest leaves as geometry.
 
-        Errors as in `cut`, also for other parts of the store; DeviceError as in `nearfar.render`, or for a picture
-        whose views do not fit into the adapter's memory.
+        Errors as in `cut`, also for views and geometry; DeviceError as in `nearfar.render`, or for a picture whose
+        views do not fit into the adapter's memory.
 
         Parameters
         ----------
@@ -159,14 +158,14 @@ class RenderableTree(StoredTree, OrthoRenderable):
         views, error_px, geometry, continuous, gaze, lift_deg
             As in `cut`.
         budget
-            Greatest number of splats in `stats`, None for no limit: the error is the least one, from `error_px` on,
-            that keeps the limit. If no error does, views are left out.
+            Greatest number of `splats` in `stats`, None for no limit. The error is increased from `error_px` as far as
+            needed; if that does not suffice, views are left out.
         settings
             Samples (on a grid: 1, 4, 9 … 64), channels, limits and backend, as `nearfar.RenderSettings`. A splat is
             drawn if its centre is within the limits. Splats have the channels "color", "coverage", "range", "position",
             "normal", "albedo" and "shading_normal"; their `object_id` and `face_id` are −1. On geometry these numbers
-            are valid within this picture only, see `with_dynamic`. An adapter keeps views in its memory, without loss
-            and in fewer bytes.
+            are valid within this picture only, except those of moving objects (`with_dynamic`). Graphics adapters keep
+            views in their memory, losslessly packed.
         keywords
             Fields of `settings`, which they replace.
 
@@ -174,11 +173,12 @@ class RenderableTree(StoredTree, OrthoRenderable):
         -------
         Frame
             The bytes do not depend on the number of threads. Both backends evaluate the same formulas; where a splat's
-            edge passes through a sample, or two splats are equally near, either may be shown. `stats` has the chosen
-            `error_px` and counts the `cells` and `views` of the cut, its `leaves` of geometry, all `splats` of the
-            views, `splats_in_picture` of parts that reach into it, `splats_seen` that are not hidden, and
-            `splats_projected`, on the CPU once for each tile of the screen, leaves that `failed` in the build, and, of
-            a build that has not ended, the largest cells in the picture that are `unbuilt`.
+            edge passes through a sample, or two splats are equally near, they may show different splats. `stats` has
+            the chosen `error_px`; counts of the cut's `cells`, their `views`, and its `leaves` drawn as geometry;
+            counts of all `splats` of the views, of `splats_in_picture` in the parts that reach into the picture, of
+            `splats_seen` that are not hidden, and of `splats_projected`, on the CPU once for each tile of the screen;
+            the number of leaves that `failed` in the build; and `unbuilt`, the number of the largest cells in the
+            picture that an unfinished build has not reached.
         """
         cut_settings = settings_of(views, error_px, geometry, continuous, gaze, lift_deg)
         limit = None if budget is None else check.integer("budget", budget, 1, MAX_SPLATS)

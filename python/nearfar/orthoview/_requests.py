@@ -1,4 +1,4 @@
-"""Requests that a flight makes for the parts it reads, for simulations: names of files, and bytes."""
+"""Lists the requests that a flight makes for its parts, for simulations: names of files, and bytes."""
 
 from __future__ import annotations
 
@@ -36,20 +36,20 @@ class RecordedFiles:
 
 
 class FlightRequests:
-    """Reads a tree as a flight does, part by part, except that it only looks up views."""
+    """Reads a tree part by part as a flight does, except that it looks up views without reading them."""
 
     def __init__(self, tree: OrthoTree) -> None:
         self._files = RecordedFiles(tree._files)
         self.opened = tree._open_store(self._files)
 
     def list_requests(self, part: Part) -> list[Request]:
-        """Requests for a part, which its thread makes one after the other."""
+        """List the requests for a part, which its thread makes one after the other."""
         self._files.requests.clear()
         level, place, _ = part
         viewer, chunks = self.opened.viewer, self.opened.chunks
         if kind(part) == GEOMETRY:
             viewer.near.load([place])
-            viewer.near.cache.trim((), 0)  # a simulated cache decides what is read again
+            viewer.near.cache.trim((), 0)  # the simulated cache decides whether the leaf is read again
         elif kind(part) == RECORD:
             self.opened.read_cells(level, place)
         else:
@@ -60,7 +60,7 @@ class FlightRequests:
         return requests
 
     def receive(self, part: Part) -> None:
-        """Take notice of a part that has arrived: later cuts know the cells of a record."""
+        """Record that a part has arrived: later cuts use the cells of a subtree's record."""
         level, place, _ = part
         if kind(part) == RECORD:
             self.opened.viewer.cutter.learn(level, place)

@@ -13,7 +13,7 @@ from nearfar._source.protocol import SceneSource, may_touch
 from nearfar.orthoview._grid import Grid, Place, places_of
 
 CELLS_PER_LEVEL = 48
-"""Number of cells of a level that the descent continues with."""
+"""Number of cells of each level into which the descent continues."""
 
 UNIFORM_LEAVES = 128
 """Number of leaves sampled if the source has no `touches`."""
@@ -22,15 +22,15 @@ TRIANGLES = 4096
 """Number of triangles sampled from a scene in memory."""
 
 _MAX_TRIANGLES = 100_000_000
-"""Greatest triangle count of a scene whose triangles are sampled; each takes a byte meanwhile."""
+"""Greatest triangle count of a scene whose triangles are sampled; sampling takes a byte for each."""
 
 _SEED = 0
 
 _EVENLY, _NUMBERS, _POINTS, _ORDER, _DESCENT = range(5)
-"""Keys of the random quantities; the descent has one for each level."""
+"""Keys of the streams of random numbers; the descent uses one stream for each level."""
 
 
-def spread(source: SceneSource, grid: Grid) -> list[Place]:
+def spread_leaves(source: SceneSource, grid: Grid) -> list[Place]:
     """Leaves that may contain something, spread over the world, in a random but reproducible order."""
     return _sample_evenly(grid) if getattr(source, "touches", None) is None else _descend(source, grid)
 
@@ -38,7 +38,7 @@ def spread(source: SceneSource, grid: Grid) -> list[Place]:
 def expected_leaves(source: SceneSource, grid: Grid) -> int:
     """Estimate the number of leaves that may contain something; exact for at most `CELLS_PER_LEVEL` on each level.
 
-    The number is the product of the mean numbers of such children of each level's sampled cells (Knuth, Estimating the
+    Multiplies, over all levels, the mean number of such children of the level's sampled cells (Knuth, Estimating the
     efficiency of backtrack programs, 1975). Without `touches` it is the number of all leaves.
     """
     if getattr(source, "touches", None) is None:
@@ -57,9 +57,9 @@ def expected_leaves(source: SceneSource, grid: Grid) -> int:
 def leaves(source: SceneSource, grid: Grid) -> Iterator[Place]:
     """Leaves that may contain something, in a random but reproducible order, without duplicates.
 
-    Scenes in memory are sampled by triangle: most worlds are empty or flat in most of their leaves, which look alike
-    from everywhere. Other sources are sampled level by level, among the children that `touches` admits, or uniformly
-    if they have no `touches`.
+    Scenes in memory are sampled by triangle, because most leaves of most worlds are empty or flat and look the same
+    from all directions. Other sources are sampled level by level among the cells that they touch, or uniformly if they
+    have no `touches`.
     """
     sampled: set[Place] = set()
     for place in _candidates(source, grid):
@@ -70,11 +70,11 @@ def leaves(source: SceneSource, grid: Grid) -> Iterator[Place]:
 
 def _candidates(source: SceneSource, grid: Grid) -> Iterator[Place]:
     if isinstance(source, Scene) and 0 < source.triangle_count <= _MAX_TRIANGLES:
-        yield from _of_triangles(source, grid)
-    yield from spread(source, grid)
+        yield from _leaves_of_triangles(source, grid)
+    yield from spread_leaves(source, grid)
 
 
-def _of_triangles(scene: Scene, grid: Grid) -> Iterator[Place]:
+def _leaves_of_triangles(scene: Scene, grid: Grid) -> Iterator[Place]:
     """Leaves of the grid that hold random points of random triangles."""
     total = scene.triangle_count
     is_chosen = np.zeros(total, bool)
@@ -92,13 +92,13 @@ def _of_triangles(scene: Scene, grid: Grid) -> Iterator[Place]:
 
 def _sample_evenly(grid: Grid) -> list[Place]:
     total = math.prod(grid.counts)
-    luck = random.uniform(_SEED, _EVENLY, np.arange(min(total, UNIFORM_LEAVES)))
-    numbers = np.argsort(luck, kind="stable") if total <= UNIFORM_LEAVES else (luck * total).astype(np.int64)
+    uniform = random.uniform(_SEED, _EVENLY, np.arange(min(total, UNIFORM_LEAVES)))
+    numbers = np.argsort(uniform, kind="stable") if total <= UNIFORM_LEAVES else (uniform * total).astype(np.int64)
     return places_of(np.column_stack(np.unravel_index(numbers, grid.counts)))
 
 
 def _descend(source: SceneSource, grid: Grid) -> list[Place]:
-    """Leaves that a source may touch. `touches` is called for the children of `CELLS_PER_LEVEL` cells on each level."""
+    """Sample leaves that a source may touch; `touches` is called for children of `CELLS_PER_LEVEL` cells a level."""
     places: list[Place] = [(0, 0, 0)]
     for level in reversed(range(grid.levels - 1)):
         places = _shuffle(_touched_children(source, grid, level, places), grid, level)
@@ -112,7 +112,7 @@ def _touched_children(source: SceneSource, grid: Grid, level: int, places: list[
 
 
 def _shuffle(places: list[Place], grid: Grid, level: int) -> list[Place]:
-    """At most `CELLS_PER_LEVEL` cells of a level in random order; a cell's rank key does not depend on other cells."""
+    """Shuffle cells of a level and keep at most `CELLS_PER_LEVEL`; a cell's random key depends on the cell alone."""
     numbers = np.array([np.ravel_multi_index(place, grid.counts_at(level)) for place in places], np.uint64)
     order = np.argsort(random.uniform(_SEED, _DESCENT + level, numbers), kind="stable")
     return [places[number] for number in order[:CELLS_PER_LEVEL].tolist()]

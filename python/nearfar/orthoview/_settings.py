@@ -35,11 +35,11 @@ class ViewSettings:
         Width and height of a view, pixels; a multiple of 4, at most 4096.
     directions
         5 views of each cell (from four sides and the top), 9 (also from the upper edges), 13 (also from the upper
-        corners) or 26 (from everywhere). "auto" takes the smallest set that hides little of sampled leaves from viewers
-        above, which takes seconds; a build that resumes keeps its set.
+        corners) or 26 (from everywhere). "auto" measures sampled leaves for some seconds, and takes the smallest set
+        that hides few of their surfaces from viewers above; a build that resumes keeps its set.
     depth_bits
-        Bits of a depth, 8 to 16. They number the steps of a cell's depth range, 4,092 for 12 bits; a surface is taken
-        to lie in the middle of its step.
+        Bits of a depth, 8 to 16, which number the steps of a cell's depth range: 4,092 steps for 12 bits. A surface is
+        assumed to lie in the middle of its step.
     normal_bits
         Bits of a normal, 16 or 24: its error is at most 0.96° or 0.06°.
     color
@@ -47,8 +47,9 @@ class ViewSettings:
     quality
         Quality of WebP, 0 to 100; None for lossless files.
     layers
-        2 also keeps the next surface behind the first one, more than 2 pixels farther away, for views in which more
-        than 1 % of the non-empty pixels show by it what no view of the cell shows.
+        2 also stores, for each pixel, the next surface more than 2 pixels behind the first one. A view keeps this
+        second layer if more than 1 % of its non-empty pixels thereby show a surface that no first layer of the cell
+        shows.
     """
 
     size: int = 512
@@ -148,7 +149,7 @@ class FlightKeywords(TypedDict, total=False):
 
 
 _ROUNDING = 1e-12
-"""Relative rounding error allowed before a whole number is rounded up."""
+"""Relative rounding error by which a number may exceed a whole number without being rounded up."""
 
 
 def size_for(
@@ -162,10 +163,10 @@ def size_for(
 ) -> int:
     """Return the size of views whose pixels are as fine as a display's.
 
-    Returns the least multiple of 4 that is at least q = p/cos θ · w s/(2 r tan(α/2)): at the distance r a display's
-    pixel is 2 r tan(α/2)/p wide, and the largest side of a view's pixel is w s/q. ValueError for values out of range,
-    or a size above 4096 pixels; TypeError for values that are not numbers. Source: Chaudhuri et al. (2009),
-    section 4.1, who take w = 1.
+    Returns the least multiple of 4 that is at least q = p/cos θ · w s/(2 r tan(α/2)). At the distance r a pixel of the
+    display is 2 r tan(α/2)/p wide; the largest side of a view's pixel is w s/q. ValueError for values out of range, or
+    a size above 4096 pixels; TypeError for values that are not numbers. Source: Chaudhuri et al. (2009), section 4.1,
+    with w = 1.
 
     Parameters
     ----------

@@ -1,10 +1,10 @@
 """Shards, files of Zarr's codec `sharding_indexed` that are written chunk by chunk, and a journal of written cells.
 
-A shard consists of the chunks of some cells in the order in which they were written, and an index: first byte and
+A shard consists of the chunks of some cells, in the order in which they were written, and an index: first byte and
 length of each chunk as little-endian uint64, both 2⁶⁴ − 1 for a missing chunk, then the index's CRC32C. So a chunk is
-written once, when its cell is finished, to its final place.
+written only once, as soon as its cell is finished.
 
-A chunk of length 0, which Zarr does not know, marks in an overlay that an older generation's chunk has been removed.
+In shards of an update, a chunk of length 0, which Zarr does not know, removes the chunk of older generations.
 """
 
 from __future__ import annotations
@@ -21,7 +21,8 @@ import numpy as np
 from nearfar._base.errors import UnusableError
 from nearfar.orthoview._files import ByteRange
 from nearfar.orthoview._grid import Place
-from nearfar.orthoview._index import ABSENT, Index, ListedShard, pack_index
+from nearfar.orthoview._index import ABSENT, Index, ShardEntry, pack_index
+from nearfar.orthoview._layout import Chunk, Layout
 
 PART = ".part"
 """Suffix of an unfinished shard."""
@@ -33,8 +34,8 @@ _PIECE = 1 << 20
 class ShardWriter:
     """Appends chunks to a shard of side³ chunks, and finishes it with its index. No file stays open between calls.
 
-    Until the index is written the file has the suffix `PART`. `chunks` are those that an earlier writer finished, with
-    their places; any bytes after them in the file are dropped.
+    Until the index is written, the file has the suffix `PART`. `chunks` are the chunks that an interrupted writer
+    finished, with their places; the bytes after them in the file are dropped.
     """
 
     def __init__(self, path: Path, side: int, chunks: Iterable[tuple[Place, Chunk]] = ()) -> None:
@@ -47,7 +48,7 @@ class ShardWriter:
             self._resume()
 
     def _resume(self) -> None:
-        # A finished shard already has its final name while other cells of the subtree are missing.
+        # A shard may have been finished, and thus renamed, before its subtree was complete.
         if not self._part.exists():
             os.replace(self._path, self._part)
         os.truncate(self._part, self._size)
@@ -83,22 +84,22 @@ class ShardWriter:
             file.seek(start)
             return check_complete(file.read(length), ByteRange(str(self._path), start, length))
 
-    def finish(self) -> ListedShard:
+    def finish(self) -> ShardEntry:
         """Write the index and rename the file; return its entry for the record."""
         self._write(index_bytes(self._index), sync=True)
         os.replace(self._part, self._path)
-        return ListedShard(self._size, self._hash.hexdigest(), pack_index(self._index))
+        return ShardEntry(self._size, self._hash.hexdigest(), pack_index(self._index))
 
 
 def checksum(data: bytes) -> bytes:
-    """CRC32C of bytes, as Zarr's codec `crc32c` appends it to them."""
+    """CRC32C of bytes, as Zarr's codec `crc32c` appends it."""
     import google_crc32c  # imported here: `import nearfar` does not need it
 
     return int(google_crc32c.value(data)).to_bytes(CHECKSUM_BYTES, "little")
 
 
 def index_of_chunks(side: int, chunks: Iterable[tuple[Place, Chunk]]) -> Index:
-    """Index of a shard of side³ chunks, from the places and byte ranges of those that exist."""
+    """Index of a shard of side³ chunks, from the places and byte ranges of the existing ones."""
     index = np.full((side, side, side, 2), ABSENT, "<u8")
     for place, chunk in chunks:
         index[place] = chunk
@@ -112,28 +113,10 @@ def index_bytes(index: Index) -> bytes:
 
 
 def has_bytes(path: Path, size: int) -> bool:
-    """Whether a shard, finished or not, has at least `size` bytes."""
+    """Whether the file of a finished or unfinished shard has at least `size` bytes."""
     part = path.with_name(path.name + PART)
     file = part if part.exists() else path
     return file.exists() and file.stat().st_size >= size
-
-
-def index_length(side: int) -> int:
-    """Bytes of the index at the end of a shard with `side` chunks along each axis."""
-    return side**3 * 2 * 8 + CHECKSUM_BYTES
-
-
-def index_of(name: str, end: bytes, side: int) -> Index:
-    """First bytes and lengths (side, side, side, 2) of a shard's chunks, from the end of its file.
-
-    Raises UnusableError for a file that is too short, or an index with a wrong checksum.
-    """
-    if len(end) < index_length(side):
-        raise UnusableError(f"{name}: expected a shard of at least {index_length(side)} bytes, got {len(end)}")
-    index = end[:-CHECKSUM_BYTES]
-    if checksum(index) != end[-CHECKSUM_BYTES:]:
-        raise UnusableError(f"{name}: the checksum of the shard's index is wrong")
-    return np.frombuffer(index, "<u8").reshape(side, side, side, 2)
 
 
 def check_complete(chunk: bytes | None, listed: ByteRange) -> bytes:
@@ -146,21 +129,17 @@ def check_complete(chunk: bytes | None, listed: ByteRange) -> bytes:
     return chunk
 
 
-Chunk = tuple[int, int]
-"""First byte and length of a chunk in its shard."""
-
-
 class Journal:
     """Finished cells, each with the byte ranges of its chunks by array name.
 
-    `is_writer` is False for a reader of a journal that another process may be writing: it leaves the file as it is.
+    With `is_writer` False the file is not changed, since another process may be writing it.
     """
 
     def __init__(self, path: Path, *, is_writer: bool = True) -> None:
         self._path = path
         self.cells: dict[tuple[int, Place], dict[str, Chunk]] = {}
         self.guests: dict[Place, list[Place]] = {}
-        """Guests of finished leaves that have some."""
+        """Guests of finished leaves, without leaves that have none."""
         self.failed: dict[Place, str] = {}
         """Reasons why leaves are incomplete; a build that resumes repeats them."""
         if path.exists():
@@ -169,17 +148,17 @@ class Journal:
                 os.truncate(path, valid_bytes)
 
     def _read(self) -> int:
-        """Read the lines up to the first invalid one, at which the writer was interrupted; return their bytes."""
+        """Read up to the first invalid line, which a killed writer leaves; return the valid lines' size in bytes."""
         valid_bytes = 0
         for line in self._path.read_bytes().splitlines(keepends=True):
             try:
-                self._take(json.loads(line if line.endswith(b"\n") else b""))
+                self._apply(json.loads(line if line.endswith(b"\n") else b""))
             except (KeyError, TypeError, ValueError):
                 break
             valid_bytes += len(line)
         return valid_bytes
 
-    def _take(self, entry: dict[str, Any]) -> None:
+    def _apply(self, entry: dict[str, Any]) -> None:
         x, y, z = entry["place"]
         if "failed" in entry:
             self.failed[x, y, z] = str(entry["failed"])
@@ -192,7 +171,7 @@ class Journal:
             self.guests[x, y, z] = guests
 
     def add(self, level: int, place: Place, chunks: dict[str, Chunk], guests: list[Place]) -> None:
-        """Record a finished cell and its guests; its chunks must have been written before."""
+        """Record a finished cell and its guests; call this after its chunks have been written."""
         self._write({"level": level, "place": place, "chunks": chunks} | ({"guests": guests} if guests else {}))
 
     def add_failed(self, leaf: Place, reason: str) -> None:
@@ -203,16 +182,16 @@ class Journal:
         self._path.parent.mkdir(parents=True, exist_ok=True)
         with self._path.open("ab") as file:
             file.write(json.dumps(entry, separators=(",", ":")).encode() + b"\n")
-        self._take(entry)
+        self._apply(entry)
 
-    def of_array(self, array: str) -> Iterator[tuple[Place, Chunk]]:
-        """Places of cells that have a chunk in an array, with the chunk."""
-        for (_, place), chunks in self.cells.items():
+    def chunks_of(self, array: str, layout: Layout) -> Iterator[tuple[Place, Chunk]]:
+        """Chunks of an array, each with its cell's place in the shard."""
+        for (level, place), chunks in self.cells.items():
             if array in chunks:
-                yield place, chunks[array]
+                yield layout.shard_of(level, place)[1], chunks[array]
 
     def sizes(self) -> dict[tuple[int, Place, str], int]:
-        """Bytes that each array's shard must have, by level and place of one of its cells and by array."""
+        """Least size of each shard, bytes, by the key of one of its chunks."""
         ends: dict[str, tuple[int, Place, int]] = {}
         for (level, place), chunks in self.cells.items():
             for array, (start, length) in chunks.items():

@@ -1,4 +1,4 @@
-"""Simulates flights over a link on a virtual clock: the client's requests, what has arrived, and frames that stall."""
+"""Simulates flights over a link on a virtual clock: the client's requests, arriving data, and frames that stall."""
 
 from __future__ import annotations
 
@@ -28,8 +28,8 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 Planner = Callable[[Camera, float, LinkTotals, bool, Callable[[Part], bool]], Plan]
-"""Plans a frame's parts: from the camera, the time in seconds, what has been received until then, whether requests were
-outstanding since the frame before, and whether a part has been received."""
+"""Plans a frame's parts. Arguments: the camera, the time in seconds, the totals received until then, whether requests
+were outstanding since the previous frame, and a function that says whether a part has been received."""
 
 Value = Literal["bytes", "missing", "error_px"]
 """Value that a plot shows."""
@@ -94,12 +94,12 @@ def simulate(
 ) -> FlightLog:
     """Fly through a tree over a link as `OrthoTree.fly` does, on a virtual clock; nothing is drawn.
 
-    The requests are those of a flight through a tree behind a URL that has just been opened: `threads` threads, each
-    with one request at a time over a connection of its own (HTTP/1.1, whatever `link.http` is: fsspec has no other); a
-    view is one request, a record of a subtree one, a leaf one for each of its files and for each texture that no other
-    leaf has brought. The planner runs once a frame. Decoding takes no time. Returns the results, frame by frame.
-    ValueError for values out of range, no cameras, or an incomplete tree; TypeError for arguments of another type;
-    FormatError and OSError for damaged or unreadable parts of the store.
+    The requests are those of a flight through a tree that has just been opened behind a URL. Each of `threads` threads
+    makes one request at a time over its own connection, which is HTTP/1.1 whatever `link.http` is, since fsspec
+    supports nothing else. A view takes one request, the record of a subtree one, a leaf one for each of its files and
+    for each texture that no earlier leaf needed. The planner runs once a frame. Decoding takes no time. Returns the
+    results, frame by frame. ValueError for values out of range, no cameras, or an incomplete tree; TypeError for
+    arguments of another type; FormatError and OSError for damaged or unreadable parts of the store.
 
     Parameters
     ----------
@@ -112,7 +112,7 @@ def simulate(
     rate
         Frames a second, 1 to 1000.
     cache_bytes
-        Size of the cache, bytes; parts of one picture and of the positions ahead are always kept.
+        Size of the cache, bytes; the parts of one picture and of the positions ahead are always cached.
     seed
         Random seed of packet loss.
     settings
@@ -155,7 +155,7 @@ class Client:
         self._cache: Recent[Part, int] = Recent(int)
         """Bytes of the parts received."""
         self._remaining: dict[Part, deque[Request]] = {}
-        """Requests that are still to be made for the parts being read."""
+        """Requests that must still be made for the parts being read."""
         self._part_by_request: dict[str, Part] = {}
         self._bytes_by_part: dict[Part, int] = {}
         self._queue: deque[Part] = deque()
@@ -165,7 +165,7 @@ class Client:
         """All requests, in the order in which they were made."""
 
     def frame(self, camera: Camera, time: float) -> tuple[int, int, float, int]:
-        """Advance to a frame; return its fields of `FlightLog`: `missing`, `wanted`, `error_px` and `received`."""
+        """Advance to a frame; return its `missing`, `wanted`, `error_px` and `received`, as in `FlightLog`."""
         had_requests = bool(self._remaining)
         self._advance(time)
         plan = self._planner(camera, time, self._received, had_requests, self._cache.__contains__)
@@ -181,7 +181,7 @@ class Client:
         return len(missing) + unknown, len(parts) + unknown, plan.error_px, received_bytes
 
     def _advance(self, time: float) -> None:
-        """Receive what arrives until a time; each thread that becomes idle takes the next part at once."""
+        """Receive data until a time; each thread that becomes idle takes the next part at once."""
         while (moment := self._transport.next_time()) <= time:
             for name in self._transport.advance(moment):
                 self._continue(self._part_by_request.pop(name))
@@ -198,7 +198,7 @@ class Client:
             self._continue(part)
 
     def _continue(self, part: Part) -> None:
-        """Make the next request for a part, or take the part as read."""
+        """Make the next request for a part; without further requests the part has been read."""
         if not self._remaining[part]:
             del self._remaining[part]
             self._idle_threads += 1

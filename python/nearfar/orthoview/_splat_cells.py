@@ -1,4 +1,4 @@
-"""Converts cells of a tree to Gaussians: all views of a cell in one frame, each surface once."""
+"""Converts cells of a tree to Gaussians: all views of a cell in one frame, without duplicate surfaces."""
 
 from __future__ import annotations
 
@@ -39,10 +39,10 @@ class Cell:
 
 
 class Cells:
-    """Reads cells of a tree, at generation `newest`.
+    """Reads cells of a tree at generation `newest`, and converts them to Gaussians.
 
-    The world box (2, 3) must contain the Gaussians' centres. `sun` is a unit vector towards the sun; None for colours
-    without light.
+    Gaussians whose centres are outside the world `box` (2, 3) are left out. `sun` is a unit vector towards the sun;
+    None for unshaded colours.
     """
 
     def __init__(self, files: Files, layout: Layout, newest: int, box: NDArray[np.float64], sun: Sun) -> None:
@@ -56,9 +56,9 @@ class Cells:
         return np.array([np.maximum(root[0], self._box[0]), np.minimum(root[1], self._box[1])])
 
     def direction_mask(self, level: int, place: Place) -> int:
-        """Mask of the directions from which a cell shows something, a bit for each; 0 for a cell outside the box.
+        """Mask with a bit for each direction from which a cell shows something; 0 for a cell outside the box.
 
-        In a tree whose build has not ended also `UNBUILT` or `PARTIAL`.
+        `UNBUILT` or `PARTIAL` for cells that an unfinished build has not composed.
         """
         if not self.layout.grid.touches(level, place, self._box):
             return 0
@@ -66,21 +66,21 @@ class Cells:
         tier, level_of_subtree = divmod(level, self.layout.subtree)
         return int(self._cells(tier, shard).masks[level_of_subtree][place_in_shard])
 
-    def cells_down_to(self, finest: int) -> Iterator[tuple[int, Place]]:
-        """Cells that show something, from the root down to level `finest`, each after its descendants."""
-        yield from self._cells_below(self.layout.grid.levels - 1, (0, 0, 0), finest)
-
-    def cells_of_level(self, level: int) -> Iterator[tuple[int, Place]]:
-        """Cells of a level that show something."""
-        return (cell for cell in self.cells_down_to(level) if cell[0] == level)
-
-    def _cells_below(self, level: int, place: Place, finest: int) -> Iterator[tuple[int, Place]]:
+    def cells_down_to(
+        self, finest: int, level: int | None = None, place: Place = (0, 0, 0)
+    ) -> Iterator[tuple[int, Place]]:
+        """Non-empty cells, from one cell (default: the root) down to level `finest`, each after its descendants."""
+        level = self.layout.grid.levels - 1 if level is None else level
         if self.direction_mask(level, place) in (0, UNBUILT):
             return
         if level > finest:
             for _, child in self.layout.grid.children(level, place):
-                yield from self._cells_below(level - 1, child, finest)
+                yield from self.cells_down_to(finest, level - 1, child)
         yield level, place
+
+    def cells_of_level(self, level: int) -> Iterator[tuple[int, Place]]:
+        """Cells of a level that show something."""
+        return (cell for cell in self.cells_down_to(level) if cell[0] == level)
 
     def chunks(self, level: int, place: Place) -> _codec.Encoded:
         """Read the chunks of all views of a cell, of both layers; not thread-safe."""

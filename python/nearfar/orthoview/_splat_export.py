@@ -1,4 +1,4 @@
-"""Exports trees for splat viewers: files of Gaussians, SPZ or GLB, or tiles of them; see `OrthoTree.export_splats`."""
+"""Exports trees for splat viewers, as an SPZ or GLB file or as tiles of Gaussians; see `OrthoTree.export_splats`."""
 
 from __future__ import annotations
 
@@ -35,11 +35,11 @@ def export(
     cells: Cells,
     target: Path,
     *,
-    format: str | None,  # noqa: A002 - the name of the public face
+    format: str | None,  # noqa: A002 - a public name
     level: int,
     compression: str | None,
 ) -> dict[str, int]:
-    """Write cells of a complete tree for splat viewers; the arguments are those of `OrthoTree.export_splats`."""
+    """Write cells of a tree for splat viewers; the arguments are those of `OrthoTree.export_splats`."""
     kind = format_of(target) if format is None else check.choice("format", format, FORMATS)
     packed = compression is not None and check.choice("compression", compression, ("spz",)) == "spz"
     if packed and kind == "spz":
@@ -69,7 +69,7 @@ def format_of(path: Path) -> str:
 
 
 def sun_of(light: str | ArrayLike | None) -> Sun:
-    """Return the unit vector towards the sun for an argument `light`; None for no light."""
+    """Return the unit vector towards the sun for the argument `light`; None for no light."""
     if light is None:
         return None
     if isinstance(light, str):
@@ -82,8 +82,8 @@ def sun_of(light: str | ArrayLike | None) -> Sun:
     return x / length, y / length, z / length
 
 
-class _Gathered:
-    """Sections of a file, each in a temporary file without a name, which the system removes with the process."""
+class _Sections:
+    """Sections of a file, each in an anonymous temporary file, which disappears with the process."""
 
     def __init__(self, folder: Path, names: tuple[str, ...]) -> None:
         self._files = {name: TemporaryFile(dir=folder) for name in names}  # noqa: SIM115 - `close` closes them
@@ -92,7 +92,7 @@ class _Gathered:
         """Least and greatest coordinates (2, 3) of the centres."""
 
     def add(self, sections: Mapping[str, bytes], cell: Cell, extent: NDArray[np.float64]) -> None:
-        """Append the sections of a cell's Gaussians, whose centres have an extent (2, 3)."""
+        """Append the sections of a cell's Gaussians; `extent` (2, 3) is the box of their centres."""
         for name, data in sections.items():
             self._files[name].write(data)
         self.cells += 1
@@ -101,12 +101,11 @@ class _Gathered:
         self.extent = np.array([np.minimum(self.extent[0], extent[0]), np.maximum(self.extent[1], extent[1])])
 
     def close(self) -> None:
-        """Close all temporary files."""
         for file in self._files.values():
             file.close()
 
-    def pour(self, target: Any) -> None:
-        """Write all sections, one after the other."""
+    def copy_to(self, target: Any) -> None:
+        """Write all sections to a file, one after the other."""
         for file in self._files.values():
             file.seek(0)
             while piece := file.read(_PIECE):
@@ -121,45 +120,44 @@ def _write_file(
 
     Temporary files are made in `folder`. With `packed` and `is_gltf` the file is an SPZ in a GLB, with `packed` alone
     an SPZ, with `is_gltf` alone a GLB with plain attributes. `extras` are entries for the GLB's `extras`. Returns the
-    numbers of `cells`, of `splats`, of the `pixels` that they represent, and of `bytes`; no splats if nothing is in the
-    box.
+    numbers of `cells`, of `splats`, of the `pixels` that they represent, and of `bytes`; 0 splats for an empty box.
     """
     bounds = cells.bounds()
     center = np.rint(bounds.mean(axis=0)) if is_gltf else np.zeros(3)
     pitch, version = cells.layout.grid.side(level) / cells.layout.size, 2 if is_gltf else 3
-    names, encode, limit = tuple(gltf.ATTRIBUTES), gltf.columns, (1 << 32) - 1
+    names, encode, limit = tuple(gltf.ATTRIBUTES), gltf.encode_attributes, (1 << 32) - 1
     if packed:
         bits = spz.fraction_bits(float(np.abs(bounds - center).max()), SIGMA * pitch)
-        names, encode, limit = spz.SECTIONS, partial(spz.sections, bits=bits, version=version), spz.MAX
-    with closing(_Gathered(folder, names)) as gathered, path.open("wb") as file:
-        _gather(gathered, cells, level, center, encode, limit)
-        count, extent = gathered.count, gathered.extent
+        names, encode, limit = spz.SECTIONS, partial(spz.encode_sections, bits=bits, version=version), spz.MAX
+    with closing(_Sections(folder, names)) as sections, path.open("wb") as file:
+        _collect(sections, cells, level, center, encode, limit)
+        count, extent = sections.count, sections.extent
         if count and not packed:
             file.write(gltf.plain_start(count, extent, center, extras))
-            gathered.pour(file)
+            sections.copy_to(file)
         elif count and not is_gltf:
-            _compress(file, spz.header(version, count, bits), gathered)
+            _compress(file, spz.header(version, count, bits), sections)
         elif count:
             with TemporaryFile(dir=folder) as inner:
-                _compress(inner, spz.header(version, count, bits), gathered)
+                _compress(inner, spz.header(version, count, bits), sections)
                 size = inner.tell()
                 inner.seek(0)
                 file.write(gltf.packed_start(count, size, extent, center, extras))
                 shutil.copyfileobj(inner, file, _PIECE)
                 file.write(bytes(gltf.padding(size)))
         size = file.tell()
-    return {"cells": gathered.cells, "splats": count, "pixels": gathered.pixels, "bytes": size}
+    return {"cells": sections.cells, "splats": count, "pixels": sections.pixels, "bytes": size}
 
 
-def _gather(
-    gathered: _Gathered,
+def _collect(
+    sections: _Sections,
     cells: Cells,
     level: int,
     center: NDArray[np.float64],
     encode: Callable[[Gaussians], dict[str, bytes]],
     limit: int,
 ) -> None:
-    """Gather the sections of all cells of a level, relative to a common centre."""
+    """Collect the sections of all cells of a level, relative to a common centre."""
 
     def encode_cell(chunks: Any, place: Any) -> tuple[Cell, dict[str, bytes], Gaussians]:
         cell = cells.to_gaussians(level, place, chunks)
@@ -173,10 +171,10 @@ def _gather(
     grid = cells.layout.grid
     total, exported_leaves = math.prod(grid.counts), 0
     with progress.bar("exporting") as report:
-        for cell, sections, gaussians in side_by_side.results(jobs()):
+        for cell, cell_sections, gaussians in side_by_side.results(jobs()):
             if len(gaussians):
-                gathered.add(sections, cell, gltf.extent_of(gaussians))
-            if gathered.count > limit:
+                sections.add(cell_sections, cell, gltf.extent_of(gaussians))
+            if sections.count > limit:
                 raise ValueError(
                     f"level: expected one with at most {limit:,} splats in the box, level {level} has more; "
                     'take a higher one, a smaller aabb or format="tiles"'
@@ -185,7 +183,7 @@ def _gather(
             report(exported_leaves, total)
 
 
-def _compress(file: BinaryIO | Any, header: bytes, gathered: _Gathered) -> None:
+def _compress(file: BinaryIO | Any, header: bytes, sections: _Sections) -> None:
     with gzip.GzipFile("", "wb", _GZIP_LEVEL, file, mtime=0) as target:
         target.write(header)
-        gathered.pour(target)
+        sections.copy_to(target)

@@ -28,7 +28,7 @@ ATTRIBUTES: dict[str, tuple[int, str, int, bool]] = {
     f"{SPLATS}:SH_DEGREE_0_COEF_0": (5126, "VEC3", 12, False),
     "COLOR_0": (5121, "VEC4", 4, True),
 }
-"""Component and element type, bytes, and whether integers are normalised to 0..1 or −1..1."""
+"""Attributes: component type, element type, bytes, and whether integers are normalised to 0..1 or −1..1."""
 
 _PLACEHOLDERS: dict[str, tuple[int, str, bool]] = {
     "POSITION": (5126, "VEC3", False),
@@ -36,7 +36,7 @@ _PLACEHOLDERS: dict[str, tuple[int, str, bool]] = {
     f"{SPLATS}:SCALE": (5126, "VEC3", False),
     f"{SPLATS}:ROTATION": (5126, "VEC4", False),
 }
-"""Accessors without data; a reader fills them from the SPZ file."""
+"""Accessors without data, which readers fill from the SPZ file: component type, element type, normalisation."""
 
 MAX_BYTES = (1 << 32) - 1
 """Greatest size of a GLB."""
@@ -50,7 +50,7 @@ Extent = NDArray[np.float64]
 """Least and greatest coordinates (2, 3) of the centres."""
 
 
-def columns(gaussians: Gaussians) -> dict[str, bytes]:
+def encode_attributes(gaussians: Gaussians) -> dict[str, bytes]:
     """Encode the attributes of some Gaussians."""
     alpha = np.full((len(gaussians), 1), 255, np.uint8)
     values = {
@@ -65,7 +65,7 @@ def columns(gaussians: Gaussians) -> dict[str, bytes]:
 
 
 def plain_start(count: int, extent: Extent, center: NDArray[np.float64], extras: Mapping[str, Any]) -> bytes:
-    """Return the start of a GLB, up to the attributes of `columns`, which must follow one after the other.
+    """Return the start of a GLB, up to the attributes of `encode_attributes`, which must follow one after the other.
 
     `center` is the world position (3,) that the Gaussians are relative to, metres.
     """
@@ -79,10 +79,10 @@ def plain_start(count: int, extent: Extent, center: NDArray[np.float64], extras:
     return _start(_document({}, list(ATTRIBUTES), center, extras) | body, offset)
 
 
-def plain(gaussians: Gaussians, center: NDArray[np.float64], extras: Mapping[str, Any]) -> bytes:
+def encode_plain(gaussians: Gaussians, center: NDArray[np.float64], extras: Mapping[str, Any]) -> bytes:
     """Encode Gaussians as a GLB with plain attributes."""
     start = plain_start(len(gaussians), extent_of(gaussians), center, extras)
-    return b"".join([start, *columns(gaussians).values()])
+    return b"".join([start, *encode_attributes(gaussians).values()])
 
 
 def packed_start(
@@ -102,7 +102,7 @@ def packed_start(
     return _start(_document(packing, list(_PLACEHOLDERS), center, extras) | body, padded_size)
 
 
-def packed(gaussians: Gaussians, center: NDArray[np.float64], extras: Mapping[str, Any]) -> bytes:
+def encode_packed(gaussians: Gaussians, center: NDArray[np.float64], extras: Mapping[str, Any]) -> bytes:
     """Encode Gaussians as a GLB with an SPZ file inside."""
     data = _spz.encode(gaussians, version=2)
     start = packed_start(len(gaussians), len(data), extent_of(gaussians), center, extras)

@@ -1,8 +1,8 @@
 """Writes a tree as tiles of Gaussians: a tileset of 3D Tiles 1.1 with a GLB for each cell of each level.
 
-Children replace their parent (refinement REPLACE). To keep documents small in any world, each lists at most four
-levels of tiles and refers to other documents for those below. Cells are written after their descendants, and only
-what their parents need stays in memory.
+Children replace their parent (refinement REPLACE). To keep documents small in any world, each document lists at most
+four levels of tiles and refers to other documents for the levels below. Cells are written after their descendants, and
+memory holds only tiles whose parents have not been written.
 """
 
 from __future__ import annotations
@@ -31,7 +31,8 @@ _LEVELS = 4
 """Maximum number of levels of a document."""
 
 ERROR = 8.0
-"""A cell's geometric error in pixels of its views: at a viewer's usual bound of 16 screen pixels they are 2 wide."""
+"""A cell's geometric error in pixels of its views. With a viewer's usual bound of 16 screen pixels, a view's pixel is
+at most 2 screen pixels wide."""
 
 _TO_ROOT = "../../../../"
 """Relative path from a document to the export's folder."""
@@ -44,29 +45,29 @@ class _Tile:
     box: NDArray[np.float64] | None
     """World box (2, 3) of its Gaussians, metres; None if it has none."""
     pixels: int
-    """Number of pixels of its views."""
+    """Number of non-empty pixels of its views within the box."""
     splats: int
     data: bytes
     """Content of its file."""
 
 
 class _Tree:
-    """Assembles tiles to documents, each tile after its descendants."""
+    """Assembles tiles into documents; each tile is added after its descendants."""
 
     def __init__(self, folder: Path, cells: Cells, finest: int, contents: list[str]) -> None:
         self._folder, self._grid, self._finest, self._contents = folder, cells.layout.grid, finest, contents
         self._pixel = self._grid.cell * widest(cells.layout.directions) / cells.layout.size
-        self._open: dict[tuple[int, Place], tuple[dict[str, Any], NDArray[np.float64]]] = {}
-        """Tiles without a parent yet, and the boxes of each with its descendants."""
+        self._roots: dict[tuple[int, Place], tuple[dict[str, Any], NDArray[np.float64]]] = {}
+        """Tiles whose parents have not been added, each with the box of itself and its descendants."""
 
     def add(self, tile: _Tile) -> None:
         """Add a tile; its children must have been added."""
         key, children, boxes = (tile.level, tile.place), [], [] if tile.box is None else [tile.box]
         if tile.level > self._finest:
             for _, child in self._grid.children(*key):
-                if (opened := self._open.pop((tile.level - 1, child), None)) is not None:
-                    children.append(opened[0])
-                    boxes.append(opened[1])
+                if (root := self._roots.pop((tile.level - 1, child), None)) is not None:
+                    children.append(root[0])
+                    boxes.append(root[1])
         if not boxes:
             return
         box = np.array([np.min(boxes, axis=0)[0], np.max(boxes, axis=0)[1]])
@@ -80,7 +81,7 @@ class _Tree:
         is_top = tile.level == self._grid.levels - 1
         if not is_top and (tile.level - self._finest) % _LEVELS == _LEVELS - 1:
             node = self._write_separately(key, node)
-        self._open[key] = node, box
+        self._roots[key] = node, box
 
     def _write_separately(self, key: tuple[int, Place], node: dict[str, Any]) -> dict[str, Any]:
         """Write a tile and its descendants into a separate document; return a tile that refers to it."""
@@ -92,8 +93,8 @@ class _Tree:
     def finish(self) -> None:
         """Write the root document, if there is any tile."""
         top = (self._grid.levels - 1, (0, 0, 0))
-        if top in self._open:
-            self._write(TILESET, self._open[top][0], math.sqrt(3.0) * self._grid.side(top[0]))
+        if top in self._roots:
+            self._write(TILESET, self._roots[top][0], math.sqrt(3.0) * self._grid.side(top[0]))
 
     def _write(self, name: str, root: dict[str, Any], error: float) -> None:
         named = {"extensionsUsed": self._contents, "extensionsRequired": self._contents}
@@ -108,15 +109,15 @@ class _Tree:
 
 
 def write(folder: Path, cells: Cells, finest: int, *, packed: bool, extras: Mapping[str, Any]) -> dict[str, int]:
-    """Write the tiles of all levels from `finest` upwards into an empty folder; `packed` ones hold SPZ files.
+    """Write the tiles of all levels from `finest` upwards into an empty folder; with `packed` they hold SPZ files.
 
-    All contents get the entries `extras`. Returns the numbers of `tiles`, of `splats`, of the `pixels` that they
-    represent, and of `bytes` of contents; all are 0 if nothing is in the box.
+    The GLB of each tile gets the entries `extras`. Returns the numbers of `tiles`, of `splats`, of the `pixels` that
+    they represent, and of `bytes` of contents; all are 0 if nothing is in the box.
     """
     contents = [gltf.SPLATS, gltf.PACKED] if packed else [gltf.SPLATS]
     tree = _Tree(folder, cells, finest, contents)
     total = {"tiles": 0, "splats": 0, "pixels": 0, "bytes": 0}
-    encode = partial(gltf.packed if packed else gltf.plain, extras=extras)
+    encode = partial(gltf.encode_packed if packed else gltf.encode_plain, extras=extras)
     size, done = math.prod(cells.layout.grid.counts), 0
 
     def jobs() -> Iterator[Callable[[], _Tile]]:
@@ -127,7 +128,7 @@ def write(folder: Path, cells: Cells, finest: int, *, packed: bool, extras: Mapp
         for tile in side_by_side.results(jobs()):
             total["pixels"] += tile.pixels
             if tile.data:
-                # Not in the jobs: those still running after Ctrl-C would write into a folder that is being removed.
+                # Jobs do not write files: after Ctrl-C running jobs would write into a folder that is being removed.
                 _write_file(folder / _name("content", tile.level, tile.place, "glb"), tile.data)
                 total["tiles"] += 1
                 total["splats"] += tile.splats

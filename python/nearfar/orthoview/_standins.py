@@ -1,4 +1,4 @@
-"""Draws a cut some of whose views are missing: as drawn before, from finer cells, or from parts of coarser ones."""
+"""Replaces missing views of a cut by what was drawn before, by finer cells, or by parts of coarser views."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ Cell = tuple[int, Place]
 """Level and place."""
 
 PartsByCell = dict[Cell, list[Part]]
-"""Parts that each cell of a cut is to be drawn from, best direction first."""
+"""Parts from which each cell of a cut should be drawn, nearest direction first."""
 
 
 @dataclass(frozen=True)
@@ -24,14 +24,15 @@ class Piece:
 
     part: Part
     within: Cell | None = None
+    """Cell to which a coarser view is clipped; None for a whole view."""
 
 
 @dataclass(frozen=True)
 class PicturePieces:
-    """Parts that a picture is drawn from."""
+    """Pieces of views and leaves from which a picture is drawn."""
 
     cells: dict[Cell, list[Piece]] = field(default_factory=dict)
-    """Cells drawn from views: each from its own views or from parts of coarser cells' views."""
+    """Cells drawn from their own views, or from parts of coarser cells' views."""
     leaves: dict[Place, list[Part]] = field(default_factory=dict)
     """Leaves drawn as geometry, with the files of each: its own and those of its guests."""
     missing: int = 0
@@ -46,10 +47,11 @@ class PicturePieces:
 
 
 class StandIns:
-    """Chooses the parts to draw, at most `views` views of a cell.
+    """Chooses the pieces to draw, at most `views` views of a cell.
 
-    `directions` are unit vectors (D, 3). `is_read` says whether a part has been read in its newest version. `drawable`
-    returns the directions of a cell's views that have been read in any version, and `GEOMETRY` if its leaf's file has.
+    `directions` are unit vectors (D, 3). `is_read` says whether the newest version of a part has been read. `drawable`
+    returns the directions of a cell's views of which any version has been read, and `GEOMETRY` for a leaf whose
+    geometry has been read.
     """
 
     def __init__(
@@ -67,10 +69,12 @@ class StandIns:
     ) -> PicturePieces:
         """Choose how wanted cells are drawn from the parts that have been read.
 
-        A cell all of whose parts have been read is drawn from them. Otherwise the first possible rule counts: the cell
-        stays as it was drawn before; its descendants that were drawn before stay, and the next rules draw the remaining
-        volume; the finest ancestor with views replaces the cell, clipped to it; the cell is drawn from the views of its
-        own that have been read.
+        If all parts of a cell have been read, it is drawn from them. Otherwise the first possible rule applies:
+
+        1. The cell stays as it was drawn in the previous picture.
+        2. Descendants that the previous picture shows stay; rules 3 and 4 draw the remaining volume.
+        3. The views of the finest ancestor that has any replace the cell, clipped to it.
+        4. The cell is drawn from those of its own views that have been read.
         """
         picture = PicturePieces()
         missing = empty = 0
@@ -96,9 +100,9 @@ class StandIns:
         return direction in self._drawable((level, place))
 
     def _descendants(self, previous: PicturePieces) -> dict[Cell, list[Cell]]:
-        """Map each cell to its descendants, itself included, that were drawn before from their own parts.
+        """Map each cell to its descendants, itself included, that the previous picture drew from their own parts.
 
-        Cells drawn from parts of coarser views are left out: a better choice may exist by now.
+        Cells drawn from parts of coarser views are left out, since better views may have been read by now.
         """
         drawn_cells = [cell for cell, pieces in previous.cells.items() if pieces[0].within is None]
         descendants: dict[Cell, list[Cell]] = {}
@@ -115,7 +119,7 @@ class StandIns:
             yield level + up, (x >> up, y >> up, z >> up)
 
     def _uncovered(self, cell: Cell, kept_cells: Collection[Cell], ancestors: Collection[Cell]) -> Iterator[Cell]:
-        """Largest cells within one that contain no kept cell; `ancestors` has all kept cells and their ancestors."""
+        """Largest cells in a cell that contain no kept cell; `ancestors` has all kept cells and their ancestors."""
         if cell not in ancestors:
             yield cell
         elif cell not in kept_cells:
@@ -123,7 +127,7 @@ class StandIns:
                 yield from self._uncovered((cell[0] - 1, child), kept_cells, ancestors)
 
     def _keep(self, picture: PicturePieces, cells: Iterable[Cell], previous: PicturePieces) -> set[Cell]:
-        """Draw cells as before from the parts that remain; return the cells that have any."""
+        """Draw cells as before from parts that are still cached; return the cells that have such parts."""
         kept_cells: set[Cell] = set()
         for cell in cells:
             _, place = cell
@@ -141,7 +145,7 @@ class StandIns:
         return kept_cells
 
     def _replacement(self, cell: Cell, eye: NDArray[np.float64]) -> list[Piece]:
-        """Views of the finest ancestor that has any, clipped to the cell; else the cell's own views."""
+        """Views of the finest ancestor that has any, clipped to the cell; failing that, the cell's own views."""
         _, *ancestors = self._with_ancestors(cell)
         for ancestor in ancestors:
             if views := self._nearest(ancestor, eye):

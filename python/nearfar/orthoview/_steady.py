@@ -1,4 +1,4 @@
-"""Pictures over time: `Steady` fades from one to the next, so that a change of the cut does not pop; motion blur."""
+"""Pictures over time: `Steady` fades from one to the next, so that changes of the cut do not pop; motion blur."""
 
 from __future__ import annotations
 
@@ -18,21 +18,21 @@ from nearfar._render.ranged import Ranged, motion_of, ranged
 class Steady:
     """Fades each picture of a sequence into the next one, surface by surface.
 
-    The previous picture is looked up where each pixel's surface was then, and blended with the new one by the weight
-    e^(−Δt/τ), Δt the time between them. A surface found there counts if the new camera would show it within Δt/τ pixels
-    of the pixel, at most half a pixel: either it is the same surface, or the new picture should still show it there and
-    does not, and so it fades out. All other pixels, above all disoccluded ones, are taken as they are. ValueError and
-    TypeError for values out of range.
+    For each pixel of the new picture, the previous picture is looked up at the place where the pixel's surface was. The
+    pixel *agrees* if the new camera would show the surface found there at most Δt/τ pixels, and at most half a pixel,
+    from the pixel; Δt is the time between the pictures. Then it is the same surface, or one that has disappeared from
+    the new picture and fades out. Pixels that agree are blended with the previous colour, whose weight is e^(−Δt/τ).
+    All other pixels, mostly disoccluded ones, are unchanged. ValueError and TypeError for values out of range.
 
     Parameters
     ----------
     seconds
-        τ where the picture stands still: time in which a difference decays to 1/e.
+        τ in seconds where the picture does not move: the time in which a difference decays to 1/e.
     moving
-        τ where the picture moves by a tenth of a pixel or more; interpolated in between. The lookup between pixels of
-        the previous picture blurs, so this time is best short.
+        τ where the picture moves by a tenth of a pixel or more; between 0 and a tenth τ is interpolated. Interpolation
+        between pixels of the previous picture blurs, so this time should be short.
     least
-        Least share of pixels that must agree, 0 to 1; with fewer, as after a jump to another place, the new picture is
+        Least share of pixels that must agree, 0 to 1. With fewer, as after a jump to another place, the new picture is
         returned unchanged.
     """
 
@@ -48,18 +48,18 @@ class Steady:
         self._past: tuple[float, Ranged] | None = None
 
     def next(self, frame: Frame, time: SupportsFloat) -> Frame:
-        """Take the next picture, and return it with faded colours; its other images are unchanged.
+        """Return the next picture with blended colours; its other images are unchanged.
 
-        `stats` has the share of pixels that `agreed` with the previous picture; 0 for the first one. ValueError for a
-        frame without colour or range, or a time that is not later; TypeError for a value that is not a frame or not a
-        number.
+        `agreed` in `stats` is the share of pixels that agree with the previous picture; 0 for the first one.
+        ValueError for a frame without colour or range, or a time that is not later; TypeError for a value that is not a
+        frame or not a number.
 
         Parameters
         ----------
         frame
-            The picture, with colour and range, by a camera of any projection and size. With the channel "motion", which
-            must be relative to the previous picture, objects may move: surfaces are looked up by it, and count only at
-            the same distance, within 2 %. Without it only the camera moves.
+            The picture, with colour and range, by a camera of any projection and size. The channel "motion", which must
+            be relative to the previous picture, allows for moving objects: it locates each surface in the previous
+            picture, where a surface counts only at the same distance, within 2 %. Without it only the camera may move.
         time
             Its time in seconds, later than that of the previous picture.
         """
@@ -85,21 +85,22 @@ MAX_POSES = 64
 def motion_blur(frame: Frame, before: Camera, *, shutter: SupportsFloat = 0.5, poses: SupportsIndex = 8) -> Frame:
     """Average a picture over the poses that its camera had while the shutter was open.
 
-    Each pixel is warped forward to where each pose shows its surface, and the nearest surface counts; then the linear
-    colours of the poses are averaged, at each pixel over the poses that show something there. Only the camera's motion
-    is considered: moving objects are blurred like static ones. Images other than colours are unchanged, and so are
-    colours if the camera did not move. ValueError for a frame without colour or range, or numbers out of range;
-    TypeError for a value that is not a frame or not a camera.
+    The picture is warped to each pose: each pixel moves to the place where the pose shows its surface, and the nearest
+    surface wins. Then each pixel is the mean of the linear colours of the poses that show something there. Only the
+    camera's motion is considered: moving objects are blurred like static ones. Images other than colours are unchanged,
+    and so are colours if the camera did not move. ValueError for a frame without colour or range, or numbers out of
+    range; TypeError for a value that is not a frame or not a camera.
 
     Parameters
     ----------
     frame
         The picture, with colour and range, by a camera of any projection.
     before
-        Camera of the previous picture; its position and orientation are used. In between the eye moves straight and
-        turns evenly.
+        Camera of the previous picture; its position and orientation are used. In between, the camera moves along a
+        straight line and turns at a constant rate.
     shutter
-        Time for which the shutter is open before the picture, in intervals between two pictures, 0 to 1.
+        Time for which the shutter is open before the picture, as a share, 0 to 1, of the interval between the two
+        pictures.
     poses
         Number of poses, 1 to 64.
     """
@@ -112,7 +113,7 @@ def motion_blur(frame: Frame, before: Camera, *, shutter: SupportsFloat = 0.5, p
 
 
 def pose_between(camera: Camera, other: Camera, weight: float) -> Camera:
-    """Interpolate between the poses of two cameras: a straight line, and an even turn (Shoemake 1985)."""
+    """Interpolate between the poses of two cameras: linear positions, slerp of orientations (Shoemake 1985)."""
     x, y, z = ((1 - weight) * np.array(camera.position) + weight * np.array(other.position)).tolist()
     start, end = np.array(camera.orientation), np.array(other.orientation)
     cosine = float(start @ end)

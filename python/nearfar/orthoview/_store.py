@@ -1,4 +1,4 @@
-"""Documents of a store: its content, whether it is complete, and its generations."""
+"""Documents of a store: its attributes, its generations, and the list of all records."""
 
 from __future__ import annotations
 
@@ -6,13 +6,12 @@ import errno
 import hashlib
 import json
 import os
-import re
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cached_property
-from pathlib import Path, PurePosixPath
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -20,37 +19,23 @@ from numpy.typing import NDArray
 
 from nearfar._base import check, files, formats
 from nearfar._base.errors import FormatError
-from nearfar.orthoview._chunks import UNLISTED, Chunks, Generation
+from nearfar.orthoview import _record
+from nearfar.orthoview._chunks import Chunks, Generation
 from nearfar.orthoview._files import Files, Local
 from nearfar.orthoview._geometry_store import FOLDER as GEOMETRY, IMAGES, MOVING, SHARED_FOLDERS, TILESET, GeometryStore
 from nearfar.orthoview._grid import Place
-from nearfar.orthoview._index import ListedShard
+from nearfar.orthoview._index import ShardEntry
 from nearfar.orthoview._layout import FOLDER, Layout
 from nearfar.orthoview._owners import Guests, guests_of
 from nearfar.orthoview._presence import UNCHANGED, Masks, masks_of, newest_of
-from nearfar.orthoview._subtree import (
-    DONE,
-    RECORD,
-    VERSION as RECORD_VERSION,
-    Described,
-    Shards,
-    record_of,
-    size_and_hash,
-)
+from nearfar.orthoview._record import DONE, RECORD, FileEntries, FolderRecord, Shards, list_files, record_of
 
 KIND, VERSION = "orthoview", 2
 
 DOCUMENT = "zarr.json"
 
 NO_FILE = "nearfar/none"
-"""Name of a file that no folder has: no folder counts as replaceable."""
-
-_SHARD = re.compile(r"[0-9]+/[a-z_]+/c/[0-9]+/[0-9]+/[0-9]+/0")
-_GEOMETRY_FILE = re.compile(
-    r"geometry/((content|moving)(/[0-9]+){4}[.]glb|images/[0-9a-f]+[.]webp|subtrees/[0-9.]+[.]subtree"
-    r"|(tileset|moving)[.]json)"
-)
-"""Allowed paths in records: copies of stores write to these paths."""
+"""Name of a file that no folder has: `files.atomic_folder` replaces only empty folders then."""
 
 _KEY = "nearfar"
 """Name of the group's attribute."""
@@ -64,24 +49,6 @@ RECORDS_FILE = f"{FOLDER}/records.json"
 
 _GENERATION, _GENERATION_VERSION = "orthoview_generation", 1
 _GENERATION_FILE = "generation.json"
-
-
-@dataclass(frozen=True)
-class FolderRecord:
-    """Record of a folder of shards: of a subtree or of a generation."""
-
-    folder: str
-    """Path below the store with a trailing slash; empty for the store itself."""
-    name: str
-    shards: Shards
-    geometry: Described
-    cells: Any = None
-    """Raw entries about cells, which `open_generation` reads."""
-
-    def files(self) -> Iterator[tuple[str, int, str]]:
-        """Paths, sizes and SHA-256 of the shards and geometry files."""
-        yield from ((path, shard.size, shard.digest) for path, shard in self.shards.items())
-        yield from ((path, size, digest) for path, (size, digest) in self.geometry.items())
 
 
 def begin(path: Path, layout: Layout) -> None:
@@ -100,7 +67,7 @@ def begin(path: Path, layout: Layout) -> None:
                 raise
     attributes, described = read(Local(path)), layout.to_json()
     with formats.guarded(path / DOCUMENT):
-        Layout.from_described(attributes["layout"])
+        Layout.from_json(attributes["layout"])
     if attributes["layout"] != described:
         different = [key for key in described if attributes["layout"].get(key) != described[key]]
         raise ValueError(f"path: {path} was begun with other values of {', '.join(different)}")
@@ -129,43 +96,41 @@ def create(folder: Path, layout: Layout) -> None:
 
 
 def reopen(path: Path) -> None:
-    """Let a store whose build ended with failures be built again: until the build ends, its records change."""
+    """Mark a store whose build ended with failures as unfinished: its records change until the next build ends."""
     if read(Local(path))["failed"]:
         change(path, failed={})
         (path / RECORDS_FILE).unlink(missing_ok=True)
 
 
 def finish(path: Path, *, failed: Mapping[str, str], done: Mapping[str, int] | None = None) -> None:
-    """Record the content of the store and how it was made; a store without failures becomes complete.
+    """End a build: write the geometry's tileset, the list of all records, and the counts in the attributes.
 
-    `done` are the counts of work, by default those of a build. Also writes the tileset of the geometry, and lists the
-    records of all subtrees.
+    A store without `failed` leaves becomes complete. `done` are the counts of work, by default those of a build.
     """
     described = read(Local(path))
     if described["complete"]:
         return
-    layout = Layout.from_described(described["layout"])
+    layout = Layout.from_json(described["layout"])
     facts = GeometryStore(path, layout.grid).finish() if layout.geometry else None
     digests = {record.name: hashlib.sha256(record.read_bytes()).hexdigest() for record in _records(path)}
-    # Files of leaves are listed in the records of their subtrees.
+    # Records of subtrees list the files of leaves; these files belong to all leaves.
     shared_files = [path / GEOMETRY / name for name in (TILESET, MOVING)]
     shared_files += sorted(file for folder in SHARED_FOLDERS for file in (path / GEOMETRY / folder).glob("*"))
-    listed = {file.relative_to(path).as_posix(): size_and_hash(file) for file in shared_files if file.is_file()}
-    formats.write_json(path / RECORDS_FILE, records_document(digests, listed))
+    formats.write_json(path / RECORDS_FILE, records_document(digests, list_files(path, shared_files)))
     held = held_below(path)
     if done is None:
-        empty = sum(formats.read_json(record, RECORD, RECORD_VERSION)["empty"] for record in _records(path))
+        empty = sum(formats.read_json(record, RECORD, _record.VERSION)["empty"] for record in _records(path))
         done = done_of(held, empty)
     change(path, complete=not failed, failed=dict(failed), held=dict(held), done=dict(done), geometry=facts)
 
 
-def records_document(digests: Mapping[str, str], geometry: Described) -> dict[str, Any]:
-    """List the SHA-256 of all records by name, and the geometry files that none of them lists."""
+def records_document(digests: Mapping[str, str], geometry: FileEntries) -> dict[str, Any]:
+    """List the SHA-256 of all records by name, and the geometry files that no record lists."""
     return formats.header(_RECORDS, _RECORDS_VERSION) | {"records": digests, "geometry": geometry}
 
 
 def done_of(held: Mapping[str, int], empty: int) -> dict[str, int]:
-    """Counts of a build's work, from the counts of its content and the number of leaves drawn in vain.
+    """Counts of a build's work, from the counts of its content and the number of leaves that were drawn but are empty.
 
     They do not depend on interruptions of the build, nor on its processes.
     """
@@ -173,7 +138,7 @@ def done_of(held: Mapping[str, int], empty: int) -> dict[str, int]:
 
 
 def check_complete(attributes: Mapping[str, Any], address: object, unbuilt: int = 0) -> None:
-    """Raise a ValueError for a store that lacks leaves, of which a number are not built yet."""
+    """Raise a ValueError for a store that lacks leaves; `unbuilt` is the number of leaves that are not built yet."""
     if attributes["complete"]:
         return
     failed = len(attributes["failed"])
@@ -191,7 +156,7 @@ def held_below(folder: Path) -> Counter[str]:
     """Count cells, leaves, chunks and bytes of the complete subtrees of a store or a generation."""
     counts: Counter[str] = Counter(NO_CONTENT)
     for record in _records(folder):
-        counts.update(formats.read_json(record, RECORD, RECORD_VERSION)["held"])
+        counts.update(formats.read_json(record, RECORD, _record.VERSION)["held"])
     return counts
 
 
@@ -235,18 +200,17 @@ def overlay_folder(number: int) -> str:
 
 
 def finish_generation(path: Path, number: int, aabb: NDArray[np.float64], counts: Mapping[str, int]) -> None:
-    """Write the record of a generation from those of its subtrees."""
+    """Write the record of a generation from the records of its subtrees."""
     folder = path / overlay_folder(number)
     shards: Shards = {}
-    geometry: Described = {}
+    geometry: FileEntries = {}
     cells: dict[str, dict[str, Any]] = {}
     for record in _records(folder):
-        document = formats.read_json(record, RECORD, RECORD_VERSION)
+        document = formats.read_json(record, RECORD, _record.VERSION)
         cells[record.stem] = {key: document[key] for key in ("views", "guests")}
         shards |= document["shards"]
         geometry |= document["geometry"]
-    images = sorted((folder / GEOMETRY / IMAGES).glob("*"))
-    geometry |= {file.relative_to(folder).as_posix(): size_and_hash(file) for file in images}
+    geometry |= list_files(folder, sorted((folder / GEOMETRY / IMAGES).glob("*")))
     box = [[x if np.isfinite(x) else None for x in corner] for corner in aabb.tolist()]
     content = {"aabb": box, "shards": shards, "geometry": geometry, "held": dict(counts), "cells": cells}
     formats.write_json(folder / _GENERATION_FILE, formats.header(_GENERATION, _GENERATION_VERSION) | content)
@@ -254,48 +218,46 @@ def finish_generation(path: Path, number: int, aabb: NDArray[np.float64], counts
 
 def overlays(store: Files, newest: int) -> list[FolderRecord]:
     """Records of a store's generations after the first one, newest first."""
-    return [_generation(store, number) for number in range(newest, 0, -1)]
+    folders = [overlay_folder(number) for number in range(newest, 0, -1)]
+    return [_read_record(store, folder, _GENERATION_FILE, _GENERATION, _GENERATION_VERSION) for folder in folders]
 
 
-def chunks_of(store: Files, layout: Layout, records: list[FolderRecord], first: Generation = UNLISTED) -> Chunks:
-    """Return a reader of the chunks of some generations, whose records come newest first, and of the first one."""
-    later = [Generation(record.folder, record.shards.get, record.geometry.__contains__) for record in records]
-    return Chunks(store, layout, [*later, first])
-
-
-def _generation(store: Files, number: int) -> FolderRecord:
-    folder = overlay_folder(number)
-    document = _json(store, folder + _GENERATION_FILE, _GENERATION, _GENERATION_VERSION)
-    return _recorded(store, folder + _GENERATION_FILE, folder, document)
-
-
-def _record(store: Files, name: str, digest: str) -> FolderRecord:
-    path = f"{FOLDER}/{DONE}/{name}"
-    return _recorded(store, path, "", _json(store, path, RECORD, RECORD_VERSION, digest))
-
-
-def _recorded(store: Files, path: str, folder: str, document: Mapping[str, Any]) -> FolderRecord:
-    with formats.guarded(f"{store.address}/{path}"):
-        shards = _parse_shards(document["shards"])
-        geometry = _parse_geometry(document["geometry"])
-        cells = document["cells"] if folder else {key: document[key] for key in ("views", "guests")}
-        return FolderRecord(folder, PurePosixPath(path).stem, shards, geometry, cells)
-
-
-def recorded(store: Files, newest: int) -> Iterator[FolderRecord]:
+def folder_records(store: Files, newest: int) -> Iterator[FolderRecord]:
     """Records of a complete store: of all subtrees of the first generation, then of the later generations."""
-    digests, geometry = _read_records(store)
-    yield from (_record(store, name, digest) for name, digest in digests.items())
+    digests, geometry = _read_list(store)
+    yield from (_read_subtree(store, name, digest) for name, digest in digests.items())
     yield FolderRecord("", "", {}, geometry)
     yield from reversed(overlays(store, newest))
 
 
-def _read_records(store: Files) -> tuple[Mapping[str, str], Described]:
-    """Read the SHA-256 of all records by name, and the geometry files that are listed in none of them."""
-    document = _json(store, RECORDS_FILE, _RECORDS, _RECORDS_VERSION)
+def _read_subtree(store: Files, name: str, digest: str) -> FolderRecord:
+    return _read_record(store, "", f"{FOLDER}/{DONE}/{name}", RECORD, _record.VERSION, digest)
+
+
+def _read_record(
+    store: Files, folder: str, name: str, kind: str, version: int, digest: str | None = None
+) -> FolderRecord:
+    document = _read_json(store, folder + name, kind, version, digest)
+    with formats.guarded(f"{store.address}/{folder}{name}"):
+        return FolderRecord.from_document(folder, Path(name).stem, document)
+
+
+def _read_list(store: Files) -> tuple[Mapping[str, str], FileEntries]:
+    """Read the SHA-256 of all records by name, and the entries of the geometry files that no record lists."""
+    document = _read_json(store, RECORDS_FILE, _RECORDS, _RECORDS_VERSION)
     with formats.guarded(f"{store.address}/{RECORDS_FILE}"):
         digests = check.mapping("records", document["records"], "hashes by names")
-        return digests, _parse_geometry(document["geometry"])
+        return digests, _record.parse_geometry(document["geometry"])
+
+
+def _read_json(store: Files, name: str, kind: str, version: int, digest: str | None = None) -> dict[str, Any]:
+    content, address = store.read(name), f"{store.address}/{name}"
+    if content is None:
+        raise FormatError(f"{address}: expected a file that the store refers to, found none")
+    if digest is not None and hashlib.sha256(content).hexdigest() != digest:
+        raise FormatError(f"{address}: damaged: its SHA-256 is not {digest}")
+    with formats.guarded(address):
+        return formats.check(formats.from_json(content), kind, version, address)
 
 
 @dataclass(frozen=True)
@@ -309,20 +271,21 @@ class Cells:
 def open_generation(store: Files, layout: Layout, newest: int) -> tuple[Chunks, Callable[[int, Place], Cells]]:
     """Return a reader of chunks, and a function that reads the cells of a subtree by its tier and place.
 
-    The content of the store's first generation is looked up in its records, so that lost files are detected.
+    Both look up chunks and geometry in the records, so that lost files are detected.
     """
-    listed, records = FirstGeneration(store, layout), overlays(store, newest)
-    chunks = chunks_of(store, layout, records, Generation("", listed.shard, listed.has_geometry))
+    first, records = FirstGeneration(store, layout), overlays(store, newest)
+    later = [Generation(record.folder, record.shards.get, record.geometry.__contains__) for record in records]
+    chunks = Chunks(store, layout, [*later, Generation("", first.shard, first.has_geometry)])
     cells_by_file = {}
-    for later in records:
-        file = later.folder + _GENERATION_FILE
+    for record in records:
+        file = record.folder + _GENERATION_FILE
         with formats.guarded(f"{store.address}/{file}"):
-            cells_by_file[file] = check.mapping("cells", later.cells, "cells by subtrees")
+            cells_by_file[file] = check.mapping("cells", record.cells, "cells by subtrees")
 
-    def read(tier: int, place: Place) -> Cells:
+    def read_cells(tier: int, place: Place) -> Cells:
         name = record_of(Path(), tier, place)
         by_file = [(file, cells[name.stem]) for file, cells in cells_by_file.items() if name.stem in cells]
-        if (record := listed.record(tier, place)) is not None:
+        if (record := first.record(tier, place)) is not None:
             by_file.append((name.as_posix(), record.cells))
         generations: list[Masks] = []
         guests: Guests = {}
@@ -336,39 +299,11 @@ def open_generation(store: Files, layout: Layout, newest: int) -> tuple[Chunks, 
                 generations.append(masks_of(cells["views"], layout, tier))
         return Cells(newest_of(generations, layout, tier), guests)
 
-    return chunks, read
-
-
-def _json(store: Files, name: str, kind: str, version: int, digest: str | None = None) -> dict[str, Any]:
-    content, address = store.read(name), f"{store.address}/{name}"
-    if content is None:
-        raise FormatError(f"{address}: expected a file that the store refers to, found none")
-    if digest is not None and hashlib.sha256(content).hexdigest() != digest:
-        raise FormatError(f"{address}: damaged: its SHA-256 is not {digest}")
-    with formats.guarded(address):
-        return formats.check(formats.from_json(content), kind, version, address)
-
-
-def _parse_shards(listed: Mapping[str, Any]) -> Shards:
-    """Entries of shards by path; ValueError for a path that does not belong into a store."""
-    _check_paths(listed, _SHARD)
-    return {path: ListedShard(int(size), str(digest), str(chunks)) for path, (size, digest, chunks) in listed.items()}
-
-
-def _parse_geometry(listed: Mapping[str, Any]) -> Described:
-    """Sizes and hashes of geometry files by path; ValueError for a path that does not belong into a store."""
-    _check_paths(listed, _GEOMETRY_FILE)
-    return {path: (int(size), str(digest)) for path, (size, digest) in listed.items()}
-
-
-def _check_paths(listed: Mapping[str, Any], pattern: re.Pattern[str]) -> None:
-    wrong = next((path for path in listed if not pattern.fullmatch(path)), None)
-    if wrong is not None:
-        raise ValueError(f"the path {wrong!r} is none of a store")
+    return chunks, read_cells
 
 
 class FirstGeneration:
-    """Files of a complete store's first generation, from its records, which are read on demand."""
+    """Files of a store's first generation, from its records, which are read on demand."""
 
     def __init__(self, store: Files, layout: Layout) -> None:
         self._store, self._layout = store, layout
@@ -376,16 +311,16 @@ class FirstGeneration:
 
     @cached_property
     def _digests(self) -> Mapping[str, str]:
-        return _read_records(self._store)[0]
+        return _read_list(self._store)[0]
 
     def record(self, tier: int, place: Place) -> FolderRecord | None:
         """Read the record of a subtree; None for an empty subtree."""
         name = record_of(Path(), tier, place).name
         if name in self._digests and name not in self._records:
-            self._records[name] = _record(self._store, name, self._digests[name])
+            self._records[name] = _read_subtree(self._store, name, self._digests[name])
         return self._records.get(name)
 
-    def shard(self, path: str) -> ListedShard | None:
+    def shard(self, path: str) -> ShardEntry | None:
         """Return the entry of a shard; None if it was not written."""
         record = self.record(*self._layout.subtree_of(path))
         return None if record is None else record.shards.get(path)

@@ -1,4 +1,4 @@
-"""Content of the store of an open tree: cells, their views, and the geometry of leaves."""
+"""The `StoredTree` class: the cells, views and leaf geometry in the store of an open tree."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from nearfar.orthoview._files import files_at
 from nearfar.orthoview._geometry_store import names
 from nearfar.orthoview._grid import Direction, Place, place_of
 from nearfar.orthoview._layout import check_zarr
-from nearfar.orthoview._unfinished import Unfinished, open_store, unbuilt_leaves
+from nearfar.orthoview._unfinished import UnfinishedFiles, open_store, unbuilt_leaves
 from nearfar.orthoview._view import OrthoView
 
 
@@ -27,10 +27,9 @@ class StoredTree:
         self._files, self._attributes, self._layout = open_store(files_at(path))
         with formats.guarded(f"{self.path}/{_store.DOCUMENT}"):
             self._is_complete = bool(self._attributes["complete"])
-            self._has_ended = not isinstance(self._files, Unfinished) and _store.has_ended(self._attributes)
+            self._has_ended = not isinstance(self._files, UnfinishedFiles) and _store.has_ended(self._attributes)
             self._failed = {place_of(name): str(reason) for name, reason in self._attributes["failed"].items()}
-            records = _store.overlays(self._files, self.generation)
-        self._chunks = _store.chunks_of(self._files, self._layout, records)
+            self._chunks, _ = _store.open_generation(self._files, self._layout, self.generation)
 
     @property
     def path(self) -> str:
@@ -67,7 +66,7 @@ class StoredTree:
 
     @property
     def directions(self) -> tuple[tuple[int, int, int], ...]:
-        """Sides that cells are seen from: −1, 0 or 1 along each axis."""
+        """Directions from a cell to the viewer of each of its views: −1, 0 or 1 along each axis."""
         return self._layout.directions
 
     @property
@@ -85,13 +84,13 @@ class StoredTree:
         """Number of leaves that the build had not reached when the tree was opened; some of them may be empty.
 
         0 once the build has ended. Until then the tree shows what was built; open it again, or call `Flight.refresh`,
-        to see more. A subtree of leaves that is in work counts leaf by leaf.
+        to see more.
         """
         return unbuilt_leaves(self._files)
 
     @property
     def failed(self) -> dict[tuple[int, int, int], str]:
-        """Errors of the source by leaf: these leaves are empty or lack a part, and so do the cells above them."""
+        """Errors of the source by leaf: these leaves, and the cells above them, are empty or lack a part."""
         return dict(self._failed)
 
     @property
@@ -104,7 +103,7 @@ class StoredTree:
         """Counts of the work of the build, or of the last update.
 
         Leaves "drawn" and found "empty", and cells "composed"; after an update also chunks "reloaded" from the store.
-        Those of a build do not depend on interruptions.
+        Interruptions of a build do not change its counts.
         """
         return dict(self._attributes["done"])
 
@@ -138,6 +137,7 @@ class StoredTree:
         cell_place = self._place(number, place)
         direction_number = check.integer("direction", direction, 0, len(self.directions) - 1)
         layer_number = check.integer("layer", layer, 0, self.layers - 1)
+        self._require_records()
         with formats.guarded(self.path, "orthoviews"):
             chunks = self._chunks.read_views(number, cell_place, (direction_number,))
             layers = _codec.decode(chunks, self._layout, (direction_number,)) if chunks else []
@@ -149,8 +149,10 @@ class StoredTree:
         return None
 
     def _missing_reason(self, level: int, place: Place) -> str:
-        """Reason why an empty cell may be missing; empty text if the cell is really empty."""
-        if not self._has_ended and not (isinstance(self._files, Unfinished) and self._files.has_built(level, place)):
+        """Reason why a cell without views may be missing from the store; empty text for a cell that shows nothing."""
+        if not self._has_ended and not (
+            isinstance(self._files, UnfinishedFiles) and self._files.has_built(level, place)
+        ):
             return "the build has not ended"
         reasons = (why for leaf, why in self._failed.items() if tuple(number >> level for number in leaf) == place)
         return next(reasons, "")
@@ -168,9 +170,9 @@ class StoredTree:
         return OrthoView(views.colors()[0], metres, views.vectors()[0], surfel, right, up, toward, lengths, center)
 
     def _require_records(self) -> None:
-        """Raise a ValueError for a store behind a URL without records, which only the end of a build lists."""
+        """Raise a ValueError for a store behind a URL without the list of records, which a build writes at its end."""
         if (
-            not (self._has_ended or isinstance(self._files, Unfinished))
+            not (self._has_ended or isinstance(self._files, UnfinishedFiles))
             and self._files.read(_store.RECORDS_FILE) is None
         ):
             how = "open its folder, or the address of `nearfar serve`, to see what there is"
@@ -182,9 +184,9 @@ class StoredTree:
 
     @property
     def geometry(self) -> dict[str, Any] | None:
-        """Numbers of leaves, triangles and bytes of the geometry, and the greatest error of a position in metres.
+        """Counts of leaves, triangles and bytes of the geometry, and the greatest error of a position in metres.
 
-        These are the numbers of the build; None for a tree without geometry.
+        They describe the first generation; None for a tree without geometry.
         """
         facts = self._attributes["geometry"]
         return None if facts is None else dict(facts)
@@ -198,6 +200,7 @@ class StoredTree:
         if not self._layout.geometry:
             raise ValueError(f"{self.path}: expected a tree with geometry, see nearfar.orthoview.build")
         leaf = self._place(0, place)
+        self._require_records()
         with formats.guarded(self.path, "orthoviews"):
             content = self._chunks.geometry(names(self._layout.grid, leaf)[check.flag("moving", moving)])
         if content is None and (reason := self._missing_reason(0, leaf)):

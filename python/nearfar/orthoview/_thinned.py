@@ -1,13 +1,13 @@
-"""Removes duplicates of surfaces that several views of a cell show: which pixels another view shows better.
+"""Finds duplicates: pixels of a view whose surface another view of the same cell shows better.
 
-A pixel's *fineness* is the number of pixels per square metre of its surface. A surfel is left out if the four pixels
-of another view around its place are all surfels of the same plane and finer; of equal ones the first view's count.
-Each pixel's fineness is fixed, so no two leave each other out; what is left out lies between better pixels.
-A ball is left out where another view has a surfel at its place, or an earlier view a ball.
+A pixel's *fineness* is the number of pixels per square metre of its surface. A surfel is a duplicate if the four pixels
+of another view around its place are all surfels of the same plane and finer, or equally fine and of an earlier view.
+So two pixels are never duplicates of each other, and a duplicate always lies between better pixels. A ball is a
+duplicate if another view shows a surfel at its place, or an earlier view a ball.
 
-Gaussians have no back side. Where the two sides of a surface are closer than the pixel size, one would shine through
-the other: of floors the upper side is kept, of walls the side that more views show. So the ground has no lower side,
-and interiors of houses that a cell's side cuts open do not show through their outer walls.
+Gaussians have no back side. If the two sides of a surface are closer than the pixel size, one shows through the other.
+Therefore floors keep only their upper side, and walls the side that more views show. So the ground has no lower side,
+and the interiors of houses that a cell's side cuts open do not show through their outer walls.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ FLOOR_COSINE = 0.5
 """Least y component of a unit normal (either sign) at which a surface is a floor."""
 
 _FINENESS_TOLERANCE = np.float32(1e-4)
-"""Relative tolerance for rounding of a fineness."""
+"""Relative tolerance for rounding errors of fineness."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,7 +61,7 @@ class Picture:
         extents: NDArray[np.float64],
         steps: int,
     ) -> Picture:
-        """Convert the first of some views, whose pixels have the connections `bits`."""
+        """Convert the first view; `bits` are the connections of its pixels."""
         width, height, depth = extents.tolist()
         codes, rows = views.depths()[0, ..., 0], axes.astype(np.float32)
         is_shown = codes > 0
@@ -107,7 +107,10 @@ class Picture:
 
 
 def is_duplicate(pictures: list[Picture], number: int, rows: NDArray[np.int64]) -> NDArray[np.bool_]:
-    """Whether other pictures of a cell show pixels of one of them better; `rows` are indices in its `surfaces()`."""
+    """Whether pixels of picture `number` are duplicates of other pictures' pixels, or back sides.
+
+    `rows` are indices of the pixels in `surfaces()` of the picture.
+    """
     picture_of_rows = pictures[number]
     surfaces = picture_of_rows.surfaces()
     fineness = picture_of_rows.fineness[picture_of_rows.fineness >= 0.0]
@@ -132,7 +135,7 @@ def is_duplicate(pictures: list[Picture], number: int, rows: NDArray[np.int64]) 
 
 
 def _is_back(pictures: list[Picture], number: int, middle: Floats, normal: Floats) -> NDArray[np.bool_]:
-    """Whether surfels (N,) of a picture are the side of a thin surface that is left out."""
+    """Whether surfels (N,) of a picture are on the side of a thin surface that is left out."""
     others = [picture for other, picture in enumerate(pictures) if other != number]
     behind = np.zeros(len(middle), np.int32)
     for picture in others:
@@ -148,14 +151,14 @@ def _is_back(pictures: list[Picture], number: int, middle: Floats, normal: Float
 
 
 def _has_plane(picture: Picture, middle: Floats, normal: Floats) -> NDArray[np.bool_]:
-    """Whether the pixels of a picture at points (N,) are surfels of planes with the given normals."""
+    """Whether a picture's pixels at points (N, 3) are surfels of planes through the points with the given normals."""
     has = np.zeros(len(middle), bool)
     index = np.flatnonzero(normal @ picture.axes[2] > 0)
     column, row, depth, is_inside = _project(picture, middle[index])
     index, column, row, depth = index[is_inside], column[is_inside], row[is_inside], depth[is_inside]
     c, r = column.astype(np.int64), row.astype(np.int64)
     reach = np.float32(MAX_PLANE_DISTANCE * max(picture.pitch))
-    # On a plane tilted by 75.5° depths differ by 4.8 pixels between points that are a pixel and `reach` apart.
+    # On a plane tilted by 75.5°, depths of points that are a pixel and `reach` apart differ by 4.8 pixels.
     is_match = picture.is_surfel[r, c] & (np.abs(depth - picture.depth[r, c]) <= 10 * reach)
     index, column, row, depth, c, r = (values[is_match] for values in (index, column, row, depth, c, r))
     is_match = np.einsum("ni,ni->n", picture.normal[r, c], normal[index]) >= MIN_COSINE
@@ -178,7 +181,7 @@ def _project(picture: Picture, middle: Floats) -> tuple[Floats, Floats, Floats, 
 def _same_surfel(
     picture: Picture, middle: Floats, normal: Floats, fineness: Floats, is_before: bool
 ) -> NDArray[np.bool_]:
-    """Whether surfels (N,) lie between four finer surfels of a picture that are in their plane."""
+    """Whether surfels (N,) lie between four finer surfels of a picture that are in the same plane."""
     column, row, depth, is_same = _project(picture, middle)
     size, reach = len(picture.depth), np.float32(MAX_PLANE_DISTANCE * max(picture.pitch))
     first_column, first_row = np.floor(column - 0.5), np.floor(row - 0.5)
@@ -186,7 +189,7 @@ def _same_surfel(
         index = np.flatnonzero(is_same)
         if not len(index):
             break
-        # Beyond the picture's sides the outermost pixels are repeated.
+        # Beyond the picture's edges the outermost pixels are repeated.
         c = np.clip(first_column[index] + right, 0, size - 1).astype(np.int64)
         r = np.clip(first_row[index] + down, 0, size - 1).astype(np.int64)
         other_fineness = picture.fineness[r, c]
@@ -212,7 +215,7 @@ def _off_plane(
 
 
 def _same_ball(picture: Picture, middle: Floats, picture_of_balls: Picture, is_before: bool) -> NDArray[np.bool_]:
-    """Whether balls (N,) lie at places where another picture shows a surfel, or an earlier one a ball."""
+    """Whether balls (N,) lie where another picture shows a surfel, or an earlier picture a ball."""
     column, row, depth, is_same = _project(picture, middle)
     index = np.flatnonzero(is_same)
     c, r = column[index].astype(np.int64), row[index].astype(np.int64)

@@ -23,10 +23,10 @@ from nearfar.orthoview._view import sheet
 class OrthoTree(NearFarTree):
     """A world as an octree of orthographic depth images, built by `nearfar.orthoview.build`.
 
-    FileNotFoundError for a place without a store; FormatError for a store of another kind, or of a newer version;
+    FileNotFoundError for a path without a store; FormatError for a store of another kind, or of a newer version;
     ValueError for a URL that fsspec cannot open; ImportError if the package zarr is missing. A store in a folder may be
     opened while it is being built, or after its build was interrupted: the tree shows what was built until then, and
-    `unbuilt` counts the missing leaves. Behind a URL such a store can be opened but not drawn. Source: Chaudhuri et al.
+    `unbuilt` counts the missing leaves. Behind a URL such a store can be opened but not read. Source: Chaudhuri et al.
     (2009), Image-Based Exploration of Massive Online Environments, section 4: pictures, flights and prefetching.
 
     Parameters
@@ -34,8 +34,8 @@ class OrthoTree(NearFarTree):
     path
         The store's folder, or the URL of one: https://…, s3://… or any other that fsspec knows.
     cache_bytes
-        Size of the cache of views, and of that of leaves' geometry, bytes each. Parts of one picture may exceed it;
-        older ones stay while there is room.
+        Size of the cache of views, bytes, and of the cache of leaves' geometry; all parts of one picture are cached,
+        even beyond it.
     """
 
     def preview(
@@ -56,13 +56,13 @@ class OrthoTree(NearFarTree):
         return sheet([self.view(number, cell_place, direction) for direction in range(len(self.directions))], self.size)
 
     def update(self, aabb: ArrayLike, source: SceneSource) -> OrthoTree:
-        """Write a new generation, in which the world has changed within a box (2, 3), metres.
+        """Write a new generation of the tree after the world has changed within a box (2, 3), metres.
 
-        `source` is the whole changed world. Leaves that the box touches are rendered again, and the cells above them
-        composed: about k + log n of them for k leaves of n. Their views become a new generation beside the unchanged
-        cells, and one document changes at the end. Open trees keep the generation that they have. An update that is
-        interrupted leaves the store as it was. Returns the new generation, whose `done` counts what was rendered and
-        composed.
+        `source` is the whole changed world. The update renders the leaves that the box touches, and composes the cells
+        above them: about k + log n cells for k of n leaves. It writes their views beside those of older generations,
+        and finally changes one document, which makes them visible. Trees that are already open keep showing the older
+        generation. An interrupted update leaves the store as it was. Returns the tree of the new generation; its `done`
+        counts the leaves rendered and the cells composed.
 
         ValueError for a store behind a URL, an incomplete store, or a world that extends beyond the tree's `bounds`
         within the box; TypeError for a value that is not a source; FormatError for a damaged shard; BlockingIOError if
@@ -77,15 +77,15 @@ class OrthoTree(NearFarTree):
     def compact(self, path: str | os.PathLike[str]) -> OrthoTree:
         """Write this generation as a new store, which any reader of Zarr v3 opens, into a new or empty folder.
 
-        Shards that no update touched are hard-linked instead of copied if both stores are on one disk. Cells have the
-        bytes and the order that a build of the changed world would have given them. ValueError for an incomplete store,
-        or the folder of this store; FormatError for a damaged or missing shard; OSError for files that cannot be
+        Shards that no update touched are hard-linked instead of copied if both stores are on one disk. The files have
+        the same bytes as those of a store built from the changed world. ValueError for an incomplete store, or the
+        folder of this store; FormatError for a damaged or missing shard; OSError for files that cannot be
         written.
         """
         target = check.path("path", path)
         self._require_complete()
         if isinstance(self._files, Local) and target.resolve() == self._files.folder.resolve():
-            raise ValueError("path: expected another place than that of the tree, whose readers go on")
+            raise ValueError("path: expected another folder than the tree's own, which other programs may be reading")
         _compact.compact(self._files, self._attributes, target)
         return OrthoTree(target)
 
@@ -137,9 +137,9 @@ class OrthoTree(NearFarTree):
     def verify(self) -> int:
         """Read every shard and compare its size and hash with the store's records.
 
-        Returns the number of shards and geometry files, including those of older generations. FormatError for the first
-        record or file that is missing or differs, which the message names. Before the build has ended, only the sizes
-        of files of subtrees in work are compared; `unbuilt` and `failed` say which leaves are missing.
+        Returns the number of shards and geometry files, including those of older generations. FormatError that names
+        the first record or file that is missing or differs. Before the build has ended, files of unfinished subtrees
+        are compared by size alone; `unbuilt` and `failed` say which leaves are missing.
         """
         self._require_records()
         return _compact.verify(self._files, self.generation)
@@ -169,7 +169,7 @@ class OrthoTree(NearFarTree):
         )
 
 
-def open(path: str | os.PathLike[str], *, cache_bytes: SupportsIndex = CACHE_BYTES) -> OrthoTree:  # noqa: A001 - the name of the public face
+def open(path: str | os.PathLike[str], *, cache_bytes: SupportsIndex = CACHE_BYTES) -> OrthoTree:  # noqa: A001 - a public name
     """Open a store of orthoviews; parts of shards are read on demand. Errors as in `OrthoTree`.
 
     Parameters

@@ -1,8 +1,8 @@
-"""Reads a store whose build is still running or was interrupted, as if the build had ended with what there is.
+"""Reads a store whose build is still running or was interrupted, as if the build had ended at one moment.
 
-Complete subtrees have records. For each other subtree that was begun, a record is made from the subtree's journal: the
-chunks that a journal lists are whole and never move. A shard in work has no index at its end yet, so its index is made
-from the journal, too. What the build writes later is not seen: the store is read as of one moment.
+Complete subtrees have records. For each other subtree that the build has begun, a record is made from the subtree's
+journal: the chunks that a journal lists are whole and never move. An unfinished shard has no index at its end yet, so
+its index is made from the journal, too. Anything that the build writes after that moment is ignored.
 """
 
 from __future__ import annotations
@@ -18,96 +18,92 @@ from typing import Any
 from nearfar._base import formats
 from nearfar.orthoview import _shard, _store
 from nearfar.orthoview._files import ByteRange, Files, Local
-from nearfar.orthoview._geometry_store import FOLDER as GEOMETRY, IMAGES, names
+from nearfar.orthoview._geometry_store import FOLDER as GEOMETRY, IMAGES
 from nearfar.orthoview._grid import Place, name_of
-from nearfar.orthoview._index import Index, ListedShard, pack_index
-from nearfar.orthoview._layout import FOLDER, Layout
+from nearfar.orthoview._index import ShardEntry, pack_index
+from nearfar.orthoview._layout import FOLDER, Layout, SubtreeKey
 from nearfar.orthoview._presence import PARTIAL, UNBUILT, Presence, masks_of
-from nearfar.orthoview._shard import Journal
-from nearfar.orthoview._store import NO_FILE
-from nearfar.orthoview._subtree import (
+from nearfar.orthoview._record import (
     DONE,
     JOURNALS,
     NO_HASH,
     RECORD,
     VERSION,
-    Described,
     journal_of,
+    list_files,
+    list_geometry,
     record_document,
     record_of,
+    size_alone,
 )
+from nearfar.orthoview._shard import Journal
+from nearfar.orthoview._store import NO_FILE
 
 _SUBTREE = re.compile("[0-9]+(_[0-9]+){3}")
-
-SubtreeKey = tuple[int, Place]
-"""Tier and place of a subtree."""
+"""Name of a subtree's record or journal, without its suffix."""
 
 
 @dataclass(frozen=True)
-class Moment:
+class Snapshot:
     """Content of a store at one moment."""
 
     documents: dict[str, bytes]
     """Records made from journals, and the list of all records, by path."""
     indexes: dict[str, tuple[int, bytes]]
-    """Bytes of the chunks of each shard in work, and its index, by path."""
+    """Total size of the chunks of each unfinished shard, bytes, and its encoded index, by path."""
     held: dict[str, int]
-    """Counts as in `OrthoTree.held`, with those of subtrees in work."""
+    """Counts as in `OrthoTree.held`, including unfinished subtrees."""
     done: dict[str, int]
     """Counts as in `OrthoTree.done`."""
     failed: dict[str, str]
-    """Reasons why leaves are incomplete, by name."""
+    """Reasons why leaves are incomplete, by the leaf's name."""
     unbuilt: int
     """Number of leaves that the build has not reached; some may be empty."""
 
 
-class Unfinished(Local):
-    """Files of a store in a folder, as of the moment of construction.
+class UnfinishedFiles(Local):
+    """Files of a store in a folder, at the moment of construction.
 
-    With `leaves_in_work` False, subtrees of leaves in work count as not built: their shards grow and will be renamed.
+    Without `unfinished_leaves`, unfinished subtrees of leaves count as not built: their shards change while they are
+    read.
     """
 
-    def __init__(self, folder: Path, layout: Layout, *, leaves_in_work: bool = True) -> None:
+    def __init__(self, folder: Path, layout: Layout, *, unfinished_leaves: bool = True) -> None:
         super().__init__(folder)
         self._layout = layout
-        self.moment = _read_moment(Local(folder), layout, 0 if leaves_in_work else 1)
+        self.snapshot = _take_snapshot(Local(folder), layout, 0 if unfinished_leaves else 1)
 
     def has_built(self, level: int, place: Place) -> bool:
         """Whether the build has finished a cell, or found it empty."""
         tier, level_of_subtree = divmod(level, self._layout.subtree)
         shard, place_in_shard = self._layout.shard_of(level, place)
-        path = record_of(Path(), tier, shard).as_posix()
-        content = self.read(path)
-        if content is None:  # the cells above say whether the subtree is empty
-            top, bits = (tier + 1) * self._layout.subtree, (tier + 1) * self._layout.subtree - level
-            return top < self._layout.grid.levels and self.has_built(
-                top, (place[0] >> bits, place[1] >> bits, place[2] >> bits)
-            )
-        with formats.guarded(self.folder / path):
-            views = formats.check(formats.from_json(content), RECORD, VERSION, self.folder / path)["views"]
-            mask = int(masks_of(views, self._layout, tier)[level_of_subtree][place_in_shard])
-        return mask not in (UNBUILT, PARTIAL)
+        record = _store.FirstGeneration(self, self._layout).record(tier, shard)
+        if record is None:  # the cell above the subtree shows whether the subtree is empty
+            top = (tier + 1) * self._layout.subtree
+            x, y, z = (number >> (top - level) for number in place)
+            return top < self._layout.grid.levels and self.has_built(top, (x, y, z))
+        with formats.guarded(self.folder):
+            masks = masks_of(record.cells["views"], self._layout, tier)
+        return int(masks[level_of_subtree][place_in_shard]) not in (UNBUILT, PARTIAL)
 
-    def shards_in_work(self) -> dict[str, bytes]:
-        """Read all shards in work, each with its index, by path."""
-        contents = {name: self.read(name) for name in self.moment.indexes}
+    def unfinished_shards(self) -> dict[str, bytes]:
+        """Read all unfinished shards, each with its index, by path."""
+        contents = {name: self.read(name) for name in self.snapshot.indexes}
         return {name: content for name, content in contents.items() if content is not None}
 
     def read(self, name: str) -> bytes | None:
-        if name in self.moment.documents:
-            return self.moment.documents[name]
-        if name not in self.moment.indexes:
+        if name in self.snapshot.documents:
+            return self.snapshot.documents[name]
+        if name not in self.snapshot.indexes:
             return super().read(name)
-        size, index = self.moment.indexes[name]
+        size, index = self.snapshot.indexes[name]
         chunks = self._part(ByteRange(name, 0, size))
         return None if chunks is None else chunks + index
 
     def _part(self, part: ByteRange) -> bytes | None:
-        if part.file not in self.moment.indexes:
+        if part.file not in self.snapshot.indexes:
             return super()._part(part)
-        size, index = self.moment.indexes[part.file]
-        if part.first < 0:
-            return index[part.first :]
+        size, _ = self.snapshot.indexes[part.file]
         # The build renames the file when its subtree is complete, and a build that resumes renames it back.
         for suffix in (_shard.PART, "", _shard.PART):
             length = min(part.length, size - part.first)
@@ -118,27 +114,27 @@ class Unfinished(Local):
 
 def unbuilt_leaves(files: Files) -> int:
     """Number of leaves of a store that its build has not reached; 0 if the build has ended."""
-    return files.moment.unbuilt if isinstance(files, Unfinished) else 0
+    return files.snapshot.unbuilt if isinstance(files, UnfinishedFiles) else 0
 
 
 def open_store(files: Files) -> tuple[Files, dict[str, Any], Layout]:
     """Return the files of a store, its attributes and its layout.
 
-    In a folder whose build has not ended the files are those of this moment, and the attributes are those that the
-    store would have if the build had ended now.
+    If the store is in a folder and its build has not ended, the files are `UnfinishedFiles`, and the attributes are
+    those that the store would have if the build had ended now.
     """
     attributes = _store.read(files)
     with formats.guarded(f"{files.address}/{_store.DOCUMENT}"):
-        layout = Layout.from_described(attributes["layout"])
+        layout = Layout.from_json(attributes["layout"])
         has_ended = _store.has_ended(attributes)
     if has_ended or not isinstance(files, Local):
         return files, attributes, layout
-    unfinished = Unfinished(files.folder, layout)
-    moment = unfinished.moment
-    return unfinished, attributes | {"held": moment.held, "done": moment.done, "failed": moment.failed}, layout
+    unfinished = UnfinishedFiles(files.folder, layout)
+    now = unfinished.snapshot
+    return unfinished, attributes | {"held": now.held, "done": now.done, "failed": now.failed}, layout
 
 
-def _read_moment(store: Local, layout: Layout, lowest_tier: int) -> Moment:
+def _take_snapshot(store: Local, layout: Layout, lowest_tier: int) -> Snapshot:
     folder = store.folder
     journals = {key for key in _find_subtrees(folder / FOLDER / JOURNALS, ".jsonl") if key[0] >= lowest_tier}
     recorded = set(_find_subtrees(folder / FOLDER / DONE, ".json"))
@@ -153,8 +149,8 @@ def _read_moment(store: Local, layout: Layout, lowest_tier: int) -> Moment:
         path = record_of(Path(), *key).as_posix()
         content = store.read(path)
         if content is None:
-            subtree = _SubtreeInWork(folder, layout, key, begun, has_journal=key in journals)
-            # A subtree that became complete meanwhile has got its record before its journal was removed.
+            subtree = _UnfinishedSubtree(folder, layout, key, begun, has_journal=key in journals)
+            # The build may have completed the subtree meanwhile: it writes the record before it removes the journal.
             if (content := store.read(path)) is None:
                 content = documents[path] = formats.to_json(subtree.record()).encode()
                 indexes |= subtree.indexes
@@ -165,18 +161,13 @@ def _read_moment(store: Local, layout: Layout, lowest_tier: int) -> Moment:
             failed.update(record.get("failed", {}))
             empty += record["empty"]
         digests[Path(path).name] = hashlib.sha256(content).hexdigest()
-    documents[_store.RECORDS_FILE] = formats.to_json(_store.records_document(digests, _images(folder))).encode()
-    return Moment(documents, indexes, dict(held), _store.done_of(held, empty), failed, unbuilt)
-
-
-def _images(folder: Path) -> Described:
-    """Sizes of the textures written so far."""
-    paths = sorted((folder / GEOMETRY / IMAGES).glob("*.webp"))
-    return {path.relative_to(folder).as_posix(): (path.stat().st_size, NO_HASH) for path in paths}
+    images = list_files(folder, sorted((folder / GEOMETRY / IMAGES).glob("*.webp")), size_alone)
+    documents[_store.RECORDS_FILE] = formats.to_json(_store.records_document(digests, images)).encode()
+    return Snapshot(documents, indexes, dict(held), _store.done_of(held, empty), failed, unbuilt)
 
 
 def _find_subtrees(folder: Path, suffix: str) -> Iterator[SubtreeKey]:
-    """Subtrees that have a file in a folder."""
+    """Subtrees that have a file with a suffix in a folder."""
     for path in folder.glob(f"*{suffix}"):
         if _SUBTREE.fullmatch(name := path.name.removesuffix(suffix)):  # temporary files have other names
             tier, x, y, z = map(int, name.split("_"))
@@ -184,14 +175,14 @@ def _find_subtrees(folder: Path, suffix: str) -> Iterator[SubtreeKey]:
 
 
 def _with_ancestors(key: SubtreeKey, layout: Layout) -> Iterator[SubtreeKey]:
-    """A subtree, and those above it."""
+    """A subtree and the subtrees above it."""
     tier, (x, y, z) = key
     for above in range(layout.tiers - tier):
         bits = above * layout.subtree
         yield tier + above, (x >> bits, y >> bits, z >> bits)
 
 
-class _SubtreeInWork:
+class _UnfinishedSubtree:
     """A subtree without a record: its cells according to its journal, if it has one."""
 
     def __init__(
@@ -200,32 +191,28 @@ class _SubtreeInWork:
         self._folder, self._layout, self._begun = folder, layout, begun
         self._tier, self._place = key
         self._journal = Journal(journal_of(folder, *key) if has_journal else folder / NO_FILE, is_writer=False)
-        ends = {layout.shard_path(cell): (cell, size) for cell, size in self._journal.sizes().items()}
-        if not all(_shard.has_bytes(folder / path, size) for path, (_, size) in ends.items()):
+        sizes = self._journal.sizes().items()
+        if not all(_shard.has_bytes(folder / layout.shard_path(key), size) for key, size in sizes):
             # Data was lost in a system crash; the build starts the subtree again.
-            self._journal, ends = Journal(folder / NO_FILE, is_writer=False), {}
-        shards = {path: (size, self._index(*cell)) for path, (cell, size) in ends.items()}
-        self.indexes = {path: (size, _shard.index_bytes(index)) for path, (size, index) in shards.items()}
-        self._shards = {
-            path: ListedShard(size + len(self.indexes[path][1]), NO_HASH, pack_index(index))
-            for path, (size, index) in shards.items()
-        }
+            self._journal = Journal(folder / NO_FILE, is_writer=False)
+        self.indexes: dict[str, tuple[int, bytes]] = {}
+        """As in `Snapshot`."""
+        self._shards: dict[str, ShardEntry] = {}
+        for (level, place, array), size in self._journal.sizes().items():
+            path = layout.shard_path((level, place, array))
+            index = _shard.index_of_chunks(layout.shard_side(level), self._journal.chunks_of(array, layout))
+            self.indexes[path] = size, (encoded := _shard.index_bytes(index))
+            self._shards[path] = ShardEntry(size + len(encoded), NO_HASH, pack_index(index))
         self._presence = Presence(layout, self._tier)
         self.unbuilt = 0
         """Number of leaves that the build has not reached."""
         self._find_states()
 
-    def _index(self, level: int, _place: Place, array: str) -> Index:
-        chunks = ((self._layout.shard_of(level, place)[1], chunk) for place, chunk in self._journal.of_array(array))
-        return _shard.index_of_chunks(self._layout.shard_side(level), chunks)
-
     def record(self) -> dict[str, Any]:
-        """Record of the subtree as if it were complete."""
-        layout, journal = self._layout, self._journal
-        leaves = sorted(place for level, place in journal.cells if level == 0)
-        paths = [name for leaf in leaves if layout.geometry for name in names(layout.grid, leaf)]
-        files = {path: self._folder / path for path in paths}
-        geometry = {path: (file.stat().st_size, NO_HASH) for path, file in files.items() if file.exists()}
+        """Return the record of the subtree as if it were complete."""
+        journal = self._journal
+        leaves = [place for level, place in journal.cells if level == 0]
+        geometry = list_geometry(self._folder, self._layout, leaves, size_alone)
         failed = {name_of(leaf): reason for leaf, reason in journal.failed.items()}
         return record_document(self._shards, geometry, self._presence, journal.guests, failed, journal.empty_leaves())
 
@@ -242,8 +229,7 @@ class _SubtreeInWork:
         for number, cell in enumerate(order):
             level, place = cell
             if cell in journal.cells:
-                for array, (_, length) in journal.cells[cell].items():
-                    self._presence.add((level, place, array), length)
+                self._presence.add_cell(level, place, journal.cells[cell])
                 states[cell] = PARTIAL if journal.cells[cell] else 0
                 continue
             if level > lowest:

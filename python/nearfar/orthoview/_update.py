@@ -1,7 +1,7 @@
-"""Updates: cells that a change of the world touches are rendered again into a new generation of the store.
+"""Updates a tree: renders the cells that a change of the world touches again, into a new generation of the store.
 
-A generation is a folder of shards that have the changed cells only. Readers take a chunk from the newest generation
-that has it. Files of older generations never change, so their readers continue unaffected.
+A generation is a folder of shards with the changed cells only. Readers take each chunk from the newest generation that
+has it. Files of older generations never change, so trees that are open stay valid.
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ def update(path: Path, aabb: NDArray[np.float64], source: SceneSource) -> None:
 
 
 def _check_reach(layout: Layout, aabb: NDArray[np.float64], source: SceneSource) -> None:
-    """Raise a ValueError if the source has something in the box that lies outside the tree."""
+    """Raise a ValueError if, within the box, the source has something outside the tree."""
     grid = layout.grid
     (low, high), bounds = grid.bounds, bounds_of(source)
     part = np.array([np.maximum(aabb[0], bounds[0]), np.minimum(aabb[1], bounds[1])])
@@ -69,7 +69,7 @@ def _check_reach(layout: Layout, aabb: NDArray[np.float64], source: SceneSource)
 
 
 class ChangedLeaves(Leaves):
-    """Leaves that a change touches; all other cells are read from the store."""
+    """Renders the leaves that a change touches, and reads all other cells from the store."""
 
     unchanged = UNCHANGED
 
@@ -82,7 +82,7 @@ class ChangedLeaves(Leaves):
         """Cells, leaves, chunks and bytes of older generations that this one replaces."""
 
     def write_geometry(self, part: Scene, place: Place) -> None:
-        """Write the geometry of a leaf; an empty file marks the removal of an older one."""
+        """Write the geometry of a leaf; an empty file removes the file of an older generation."""
         super().write_geometry(part, place)
         if self.geometry is None:
             return
@@ -97,7 +97,7 @@ class ChangedLeaves(Leaves):
         raise error
 
     def finished_outcome(self, level: int, place: Place) -> Outcome | None:
-        """Read the views of a cell that the change does not touch; None if it must be rendered again."""
+        """Read the views of a cell that the change does not touch; None for a cell that must be rendered again."""
         with formats.guarded(self.folder, "orthoviews"):
             if not self.layout.grid.touches(level, place, self._aabb):
                 chunks = self._chunks.read_views(level, place)
@@ -108,14 +108,14 @@ class ChangedLeaves(Leaves):
         return super().finished_outcome(level, place)
 
     def _had_geometry(self, level: int, place: Place) -> bool:
-        """Whether leaves of a cell may have geometry in the store: some triangles are too small for any pixel."""
+        """Whether the store may have geometry of a cell's leaves; its triangles may be too small for any view."""
         if not self.layout.geometry or level >= self.layout.subtree:
             return self.layout.geometry
         leaves = self.layout.grid.descendants(level, place, 0)
         return any(self._chunks.has_geometry(name) for leaf in leaves for name in names(self.layout.grid, leaf))
 
     def chunks_before(self, level: int, place: Place) -> AbstractSet[int]:
-        """Chunks of a cell in the store."""
+        """Return the direction numbers of a cell's chunks in the store, and count the chunks as replaced."""
         keys = self.layout.keys(level, place)
         lengths = dict(zip(keys, self._chunks.lengths(list(keys.values())), strict=True))
         existing = {number for number, length in lengths.items() if length}

@@ -1,6 +1,6 @@
 """Draws pictures of a tree: views of the cut as splats, and the nearest leaves and moving objects as geometry.
 
-`Opened` is a store opened for viewing; a newer generation takes over its unchanged views and leaves.
+`OpenStore` is a store at one of its generations; a newer generation takes over its unchanged views and leaves.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ from nearfar.orthoview._geometry_store import names
 from nearfar.orthoview._grid import Grid, Place, place_of
 from nearfar.orthoview._layout import Layout, ViewKey
 from nearfar.orthoview._near import Near
-from nearfar.orthoview._unfinished import Unfinished, open_store
+from nearfar.orthoview._unfinished import UnfinishedFiles, open_store
 from nearfar.orthoview._views import Views
 
 AVERAGED = ("color", "coverage")
@@ -90,7 +90,7 @@ class FinishedPicture:
 
 @dataclass(frozen=True)
 class Parts:
-    """Content of a picture."""
+    """Splats and geometry of a picture."""
 
     splats: list[_core.OrthoSplats]
     near: Scene | None
@@ -131,12 +131,12 @@ class Viewer:
     ) -> Images:
         """Draw the picture of one of a shot's cameras from given parts, on a device or on the CPU."""
         grid = grid_of(shot.samples)
-        sampled = tuple(name for name in shot.channels if name in AVERAGED)
-        middle = tuple(name for name in shot.channels if name not in AVERAGED)
-        if sampled and middle and grid > 1:
-            passes = [(1, middle), (grid, sampled)]  # the splat at a pixel's centre must not depend on `samples`
+        averaged = tuple(name for name in shot.channels if name in AVERAGED)
+        central = tuple(name for name in shot.channels if name not in AVERAGED)
+        if averaged and central and grid > 1:
+            passes = [(1, central), (grid, averaged)]  # the splat at a pixel's centre must not depend on `samples`
         else:
-            passes = [(grid if sampled else 1, shot.channels)]
+            passes = [(grid if averaged else 1, shot.channels)]
         images: Images = {}
         x, y, z = self.origin.tolist()
         for samples, channels in passes:
@@ -188,14 +188,14 @@ def _geometry(
 
 
 def _object_numbers(scene: Scene, movers: Scene) -> NDArray[np.int32]:
-    """Map a scene's object numbers to those of the moving objects, −1 for others; the last entry is for misses."""
+    """Map a scene's object numbers to numbers of moving objects, −1 for other objects; the last entry is for misses."""
     numbers = {name: number for number, name in enumerate(movers.object_names)}
     return np.array([*(numbers.get(name, -1) for name in scene.object_names), -1], np.int32)
 
 
 @dataclass(frozen=True)
-class Opened:
-    """A store at one of its generations."""
+class OpenStore:
+    """A store that is open for viewing, at one of its generations."""
 
     files: Files
     layout: Layout
@@ -207,8 +207,10 @@ class Opened:
     viewer: Viewer
 
     @classmethod
-    def from_files(cls, files: Files, layout: Layout, generation: int, cache_bytes: int, *, failed: int = 0) -> Opened:
-        """Open a generation of a store with a number of failed leaves."""
+    def from_files(
+        cls, files: Files, layout: Layout, generation: int, cache_bytes: int, *, failed: int = 0
+    ) -> OpenStore:
+        """Open a generation of a store; `failed` is its number of failed leaves."""
         chunks, read_cells = _store.open_generation(files, layout, generation)
         views = Views(files.address, chunks, layout, cache_bytes)
         near = Near(files.address, chunks, layout.grid, cache_bytes)
@@ -217,7 +219,6 @@ class Opened:
 
     @property
     def grid(self) -> Grid:
-        """Grid of the tree's cells."""
         return self.layout.grid
 
     @property
@@ -225,29 +226,29 @@ class Opened:
         """Unit vectors (D, 3) of the tree's directions."""
         return np.array([_core.orthoview_axes(direction)[0][2] for direction in self.layout.directions])
 
-    def newer(self) -> Opened | None:
+    def newer(self) -> OpenStore | None:
         """Open the newest generation, with the unchanged views and leaves of this one; None if this is the newest.
 
-        Before the build has ended, open what it has written by now; None if it has written nothing since.
+        Before the build has ended, open the cells written by now; None if nothing was written since.
         """
         older = self.files
-        files, attributes, layout = open_store(Local(older.folder) if isinstance(older, Unfinished) else older)
+        files, attributes, layout = open_store(Local(older.folder) if isinstance(older, UnfinishedFiles) else older)
         with formats.guarded(f"{files.address}/{_store.DOCUMENT}"):
             newest, failed = int(attributes["generation"]), [place_of(name) for name in attributes["failed"]]
-        if isinstance(older, Unfinished):
-            is_same = isinstance(files, Unfinished) and files.moment == older.moment
+        if isinstance(older, UnfinishedFiles):
+            is_same = isinstance(files, UnfinishedFiles) and files.snapshot == older.snapshot
         else:
             is_same = newest <= self.generation
         if is_same:
             return None
         if layout != self.layout:
-            raise FormatError(f"{files.address}: another tree was built in this place, open it anew")
-        opened = Opened.from_files(files, layout, newest, self.cache_bytes, failed=len(failed))
+            raise FormatError(f"{files.address}: the folder now holds another tree; open it again")
+        opened = OpenStore.from_files(files, layout, newest, self.cache_bytes, failed=len(failed))
         overlays = _store.overlays(files, newest)[: newest - self.generation]
-        repeated = {place_of(name) for name in older.moment.failed} if isinstance(older, Unfinished) else set()
+        repeated = {place_of(name) for name in older.snapshot.failed} if isinstance(older, UnfinishedFiles) else set()
 
         def may_view_differ(view: ViewKey) -> bool:
-            """Whether a generation has a shard with the view's place, or a leaf in it was built again."""
+            """Whether a newer generation has the view's shard, or a failed leaf in the cell was built again."""
             level, place, _ = view
             if any(tuple(number >> level for number in leaf) == place for leaf in repeated):
                 return True
@@ -255,10 +256,10 @@ class Opened:
             return any(path in overlay.shards for overlay in overlays)
 
         def is_leaf_changed(place: Place) -> bool:
-            # A leaf without geometry may not have been built yet.
-            is_open = isinstance(older, Unfinished) and self.viewer.near.cache.values.get(place) is None
+            # A leaf without geometry may have been unbuilt.
+            was_unbuilt = isinstance(older, UnfinishedFiles) and self.viewer.near.cache.values.get(place) is None
             return (
-                is_open
+                was_unbuilt
                 or place in repeated
                 or any(name in overlay.geometry for overlay in overlays for name in names(self.grid, place))
             )

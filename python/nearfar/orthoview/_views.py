@@ -1,4 +1,4 @@
-"""Views of a tree as splats, with a cache of those used last."""
+"""Reads views of a tree as splats, and caches the most recently used ones."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ _BATCH = 64
 
 
 class Views:
-    """Reads views, and caches those used last: up to `max_bytes` bytes, which the views of one picture may exceed.
+    """Reads views, and caches the most recently used ones: up to `max_bytes` bytes, or more if one picture needs them.
 
     Messages name the store by `address`, its folder or URL.
     """
@@ -42,18 +42,18 @@ class Views:
         self._totals: dict[int, tuple[int, int]] = {}
 
     def get(self, keys: Sequence[ViewKey]) -> list[_core.OrthoSplats]:
-        """Splats of views, of both layers; views that are not cached are read."""
+        """Return the splats of views, of both layers; read views that are not cached."""
         return [splats for layers in self.layers(keys) for splats in layers]
 
     def layers(self, keys: Sequence[ViewKey]) -> list[Splats]:
-        """Splats of views layer by layer; views that are not cached are read."""
+        """Return the splats of views, layer by layer; read views that are not cached."""
         self.load(keys)
         splats = [self.cached_layers(key) for key in keys]
         self.trim(set(keys))
         return splats
 
-    def expected(self, key: ViewKey) -> float:
-        """Number of a view's splats; if it was never read, the mean of its level, else of all views."""
+    def expected_count(self, key: ViewKey) -> float:
+        """Number of a view's splats; for a view never read, the mean of its level or, failing that, of all views."""
         if key in self._counts:
             return self._counts[key]
         default = self._layout.size**2 * _ASSUMED_SHARE, 1
@@ -74,19 +74,19 @@ class Views:
         """Layers of a view, which becomes the most recently used; empty if it is not cached."""
         return self.cache.get(key) or ()
 
-    def of_cell(self, level: int, place: Place) -> frozenset[int]:
+    def cached_directions(self, level: int, place: Place) -> frozenset[int]:
         """Directions of a cell's cached views, of any version."""
         keys = ((level, place, direction) for direction in range(len(self._layout.directions)))
         return frozenset(key[2] for key in keys if key in self.cache.values)
 
     def take_over(self, older: Views, changed: Callable[[ViewKey], bool]) -> None:
-        """Take the cached views of an older generation; changed ones serve until they are read again."""
+        """Take the cached views of an older generation; changed views are shown until they have been read again."""
         self.cache.take_over(older.cache, changed)
         for key, splats in self.cache.values.items():
             self._count(key, sum(layer.count for layer in splats))
 
     def trim(self, needed: Container[ViewKey]) -> None:
-        """Evict the least recently used views, but none that are needed, until the cache fits its size."""
+        """Evict the least recently used views, except needed ones, until the cache fits its size."""
         self.cache.trim(needed, self._max_bytes)
 
     def _read(self, keys: Sequence[ViewKey]) -> None:
@@ -108,7 +108,7 @@ class Views:
                 self._totals[level] = total + splats, views + 1
 
     def _decode(self, key: ViewKey, chunk: bytes | None) -> Splats:
-        """Splats of a view by layer; the first layer must show something, the second one need not."""
+        """Decode the splats of a view by layer; UnusableError for a missing chunk."""
         level, place, direction = key
         if chunk is None:
             raise UnusableError(f"{self._layout.key(key)[2]}: the chunk of the cell {place} is missing")

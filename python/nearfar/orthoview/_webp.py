@@ -1,4 +1,4 @@
-"""Views whose colours are stored as WebP, lossless or lossy, and all other bytes by Zstandard.
+"""Encodes views with their colours as WebP, lossless or lossy, and all other bytes in a Zstandard frame.
 
 A chunk is the length of the image as little-endian uint32, the image, and a Zstandard frame of the other bytes. The
 image shows all layers, one below the other.
@@ -22,8 +22,8 @@ def encode(picture: NDArray[np.uint8], quality: int | None = None, filled: NDArr
     """Encode the colours of a view's layers, sRGB (layers, size, size, 3), as one image.
 
     `quality` is 0 to 100, or None for a lossless file, which decodes to the same picture. `filled` is the mask (layers,
-    size, size) of non-empty pixels; by default all. In a lossy file empty pixels take colours from their surroundings:
-    black ones would darken neighbouring pixels, and edges take bytes. Readers recognise empty pixels by their depth, 0.
+    size, size) of non-empty pixels; by default all. In a lossy file empty pixels take colours from their surroundings,
+    since black pixels would darken their neighbours and need more bytes. Readers recognise empty pixels by depth 0.
     """
     if quality is not None and filled is not None:
         shown = filled.any(axis=(1, 2))

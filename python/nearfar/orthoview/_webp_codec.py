@@ -1,4 +1,4 @@
-"""Zarr v3's codec of views whose colours are stored as WebP: readers with nearfar find it by its entry point."""
+"""Zarr v3 codec for views whose colours are stored as WebP; zarr finds it by nearfar's entry point."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ NAME = "nearfar_webp_view"
 
 
 @dataclass(frozen=True)
-class WebpViewCodec(ArrayBytesCodec):  # type: ignore[misc]  # zarr's types are not read
-    """Codec of chunks that have the bytes of a view, colours first."""
+class WebpViewCodec(ArrayBytesCodec):  # type: ignore[misc]  # mypy does not read zarr's types
+    """Codec of chunks that contain a view's bytes, colours first."""
 
     size: int
     """Width and height of a layer, pixels."""
@@ -41,8 +41,8 @@ class WebpViewCodec(ArrayBytesCodec):  # type: ignore[misc]  # zarr's types are 
         return {"name": NAME, "configuration": settings}
 
     def compute_encoded_size(self, input_byte_length: int, chunk_spec: Any) -> int:
-        """Raise: the length of a WebP file is not known beforehand; zarr asks only codecs of fixed size."""
-        raise ValueError(f"{NAME}: lengths of files are not known beforehand")
+        """Raise a ValueError: zarr calls this only for codecs of fixed size, and lengths of WebP files vary."""
+        raise ValueError(f"{NAME}: the lengths of WebP files are not known in advance")
 
     @property
     def _picture(self) -> tuple[int, int, int, int]:

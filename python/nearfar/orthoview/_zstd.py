@@ -14,7 +14,6 @@ COMPRESSION: dict[str, Any] = {"level": 3, "checksum": True}
 
 
 def compress(content: NDArray[np.uint8]) -> bytes:
-    """Compress bytes."""
     from numcodecs.zstd import Zstd  # imported here: `import nearfar` does not need it
 
     return bytes(Zstd(**COMPRESSION).encode(np.ascontiguousarray(content)))

@@ -12,8 +12,8 @@ from nearfar._base.errors import FormatError
 from nearfar.orthoview import _store
 from nearfar.orthoview._files import Local
 from nearfar.orthoview._layout import FOLDER, Layout
-from nearfar.orthoview._subtree import DONE
-from nearfar.orthoview._unfinished import Unfinished
+from nearfar.orthoview._record import DONE
+from nearfar.orthoview._unfinished import UnfinishedFiles
 
 GEOMETRY_SUFFIXES = (".glb", ".webp")
 """Suffixes of geometry files that the page reads; the tileset is not among them."""
@@ -52,15 +52,15 @@ def tree_files(folder: Path) -> dict[str, File]:
     store: Local = Local(folder)
     attributes = _store.read(store)
     with formats.guarded(folder / _store.DOCUMENT):
-        layout, has_ended = Layout.from_described(attributes["layout"]), _store.has_ended(attributes)
-    shards_in_work: dict[str, bytes] = {}
+        layout, has_ended = Layout.from_json(attributes["layout"]), _store.has_ended(attributes)
+    unfinished_shards: dict[str, bytes] = {}
     if not has_ended:
-        store = unfinished = Unfinished(folder, layout, leaves_in_work=False)
-        shards_in_work = unfinished.shards_in_work()
+        store = unfinished = UnfinishedFiles(folder, layout, unfinished_leaves=False)
+        unfinished_shards = unfinished.unfinished_shards()
     files: dict[str, File] = {}
     documents = [_store.DOCUMENT, _store.RECORDS_FILE]
     with formats.guarded(folder):
-        for recorded in _store.recorded(store, int(attributes["generation"])):
+        for recorded in _store.folder_records(store, int(attributes["generation"])):
             if recorded.folder:
                 documents.append(f"{recorded.folder}generation.json")
             elif recorded.name:
@@ -72,4 +72,4 @@ def tree_files(folder: Path) -> dict[str, File]:
                 if size > 0 and (path in recorded.shards or path.endswith(GEOMETRY_SUFFIXES))
             }
     contents = {name: content for name in documents if (content := store.read(name)) is not None}
-    return files | contents | shards_in_work
+    return files | contents | unfinished_shards

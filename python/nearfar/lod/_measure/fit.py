@@ -17,7 +17,7 @@ from nearfar._base.settings import set_fields
 _OUTCOMES = (
     ("fitted", ""),
     ("step", "y changes between two samples, or with one in between: other b and c fit as well"),
-    ("open", "the samples end before a plateau: a, c or d lies anywhere far away"),
+    ("open", "the samples end before a plateau: a, c or d is far away and undetermined"),
     ("flat", "all y are the same"),
     ("flat", "the mean is as likely as the curve, given noise"),
     ("unfittable", "fewer than 4 different x where x and y are finite"),
@@ -56,7 +56,7 @@ class Curve4PL:
     """Outcome "fitted", "step", "open", "flat" or "unfittable", see `fit_4pl`. For parameters alone: "unfittable" if
     one of them is NaN, "flat" if a = d, else "fitted"."""
     reason: Any = None
-    """Reason in words if it is not "fitted"."""
+    """Reason for a status other than "fitted", in words."""
 
     def __post_init__(self) -> None:
         if self.status is None:
@@ -91,14 +91,14 @@ class Curve4PL:
         return len(self.a)
 
     def __bool__(self) -> bool:
-        """True for one curve and any number of them; `ok` says whether they could be fitted."""
+        """Return True, also for no curves; `ok` says whether curves were found."""
         return True
 
     def __getitem__(self, index: Any) -> Curve4PL:
         """Select one of many curves by its number, or several by a slice, a mask (K,) of bool, or an index array."""
         selected = _normalized_index(index, len(self))
         fields = (*self, self.rms, self.status, self.reason)
-        # `item` makes no NumPy scalar: NumPy drops a Ctrl-C that arrives while it makes that of `texts[number]`.
+        # `item` instead of `field[number]`: NumPy loses a Ctrl-C that arrives while it makes a scalar of a string.
         return Curve4PL(*(field.item(selected) if isinstance(selected, int) else field[selected] for field in fields))
 
     def __repr__(self) -> str:
@@ -125,7 +125,7 @@ class Curve4PL:
             is_near = np.abs(xs / c - 1) < 0.5
             steps = b * np.where(is_near, np.log1p((xs - c) / c), np.log(xs) - np.log(c))
             small = np.exp(-np.abs(steps))
-            # Computed from the nearer plateau, so that a far one does not cancel digits.
+            # Computed from the nearer plateau, so that a plateau far away cancels no digits.
             fraction = small / (1 + small)
             values = np.where(steps < 0, a + (d - a) * fraction, d + (a - d) * fraction)
         return values if values.ndim else float(values)
@@ -201,13 +201,14 @@ def fit_4pl(x: ArrayLike, y: ArrayLike) -> Curve4PL:
         b is always above 0. Bad data never raises; `status` gives each curve's outcome, and `reason` the reason:
 
         - "fitted": the least-squares curve.
-        - "step": y changes between two samples, or with a single one in between. The residual is minimal; b and c are
-          one choice of many.
+        - "step": y changes between two samples, or with a single one in between. The residual is minimal, but other b
+          and c give the same residual.
         - "open": the samples end before a plateau (a and d are more than 100 times as far apart as the range of y).
-          The residual is minimal at infinity, and the curve is as good; call it instead of the formula.
-        - "flat": y is constant, or noise explains it nearly as well: (S/S₀)^((N−2)/2) ≥ 0.01 for the squared
-          residuals S of the curve and S₀ of the mean; of pure noise 92 to 97 in 100 curves are flat. a and d are the
-          mean, b is 1 and c the middle of the samples, so that it can be evaluated.
+          The residual decreases towards infinite parameters, and this curve's residual is as good as minimal. Call the
+          curve instead of evaluating the formula, which loses digits.
+        - "flat": y is constant, or a constant with noise is nearly as likely: (S/S₀)^((N−2)/2) ≥ 0.01, where S is the
+          sum of squared residuals of the curve and S₀ that of the mean. 92 to 97 of 100 curves of pure noise are flat.
+          a and d are the mean, b is 1 and c the middle of the samples.
         - "unfittable": fewer than 4 different x, an x below 0, or parameters beyond float64 (plateaus that overflow).
           All parameters are NaN.
 

@@ -10,14 +10,13 @@ from typing import Any, Unpack, overload
 from nearfar._base import cache, check
 from nearfar._base.distribute import distribute
 from nearfar._base.settings import gather
-from nearfar.lod._levels import Levels, kept_levels
-from nearfar.lod._measure.one_object import kept_scores, measure_one
+from nearfar.lod._levels import Levels, pick_levels
+from nearfar.lod._measure.one_object import count_scores, measure_one
 from nearfar.lod._measure.settings import MeasureKeywords, MeasureOptions, MeasureSettings
 from nearfar.lod._model import LodModel
 
 
-# One overload per kind of argument: with a union as the only return type, callers would have to narrow each result,
-# and a second function for many objects would make them choose. The keywords are listed once.
+# One overload for each type of `levels`, so that callers need not narrow a union of return types.
 @overload
 def measure(levels: Levels, **options: Unpack[MeasureOptions]) -> LodModel: ...
 @overload
@@ -34,14 +33,14 @@ def measure(
 ) -> LodModel | dict[str, LodModel] | list[LodModel]:
     """Measure how similar levels look to their base, over the size at which they are seen.
 
-    Base and level are rendered from all sides at growing distances, alone before the sky, and compared by SSIM
+    Base and level are rendered from all sides at growing distances, alone in front of the sky, and compared by SSIM
     (Gaussian, 11×11, σ 1.5, on the Rec. 709 luma of 8-bit sRGB) at pixels whose centre shows the object in either
-    picture. A percentile or the mean over the views is a level's score at that size. A falling curve is fitted to the
-    least score at a size and all smaller ones, so that no object gets a finer level as it shrinks.
+    picture. The score of a level at a size is a percentile, or the mean, over the views. A falling curve is fitted to
+    the least score at each size and all smaller ones, so that no object gets a finer level as it shrinks.
 
     ValueError and TypeError for arguments out of range, or a base that is a single point; DeviceError as in `render`;
-    RuntimeError if processes end at once, as in scripts without a guard for `__main__`. On Ctrl-C, KeyboardInterrupt
-    has a note that states how many of how many scores are kept, and where. Sources: Liebisch (2021) for published
+    RuntimeError if processes end at once, as in scripts without a guard for `__main__`. On Ctrl-C, a note of the
+    KeyboardInterrupt says how many of all scores are cached, and where. Sources: Liebisch (2021) for published
     views, distances, percentile and curve; Swinbank, Purser (2006) for even directions; Wang, Bovik, Sheikh, Simoncelli
     (2004) for SSIM.
 
@@ -52,11 +51,11 @@ def measure(
     settings
         The screen, views, sizes and rules, as `MeasureSettings`.
     workers
-        Number of processes among which many objects are distributed. The program's main module must be importable, as
-        always with `multiprocessing`. None stays in this process.
+        Number of processes over which many objects are distributed. The program's main module must be importable, as
+        `multiprocessing` requires. None measures in this process.
     client
-        A `distributed.Client`: objects are distributed over a Dask cluster, whose workers need nearfar. Results are the
-        same bytes in all three cases if the back ends are the same.
+        A `distributed.Client`, to distribute objects over a Dask cluster whose workers have nearfar. Results have the
+        same bytes however objects are distributed, if the backends are the same.
     keywords
         Fields of `settings`, which they replace: `hmd`, or `fov` and `size`; `views`, `directions`, `spacing`,
         `distances`, `standard_error`, `percentile`, `step`, `saturated`, `samples`, `backend`, `cache`.
@@ -64,10 +63,10 @@ def measure(
     Returns
     -------
     LodModel, or dict or list of them
-        A model for one object, a dict for a mapping, a list for a sequence. Each has `levels`, `samples`, and the work
-        in `measured`: "renders" and "scores" (pictures and comparisons made), "cached" (scores found in the cache) and
-        "skipped" (scores not needed, of levels × distances × views, including those of duplicate views).
-        `samples.score` is NaN at sizes where a level was not measured any more.
+        A model for one object, a dict for a mapping, a list for a sequence. A model has `levels` and `samples`, and
+        counts of the work in `measured`: "renders" and "scores" (pictures and comparisons made), "cached" (scores found
+        in the cache) and "skipped" (the other ones of levels × distances × views, including duplicate views).
+        `samples.score` is NaN at sizes where a level was no longer measured.
     """
     measure_settings = gather(MeasureSettings, settings, keywords)
     names, objects = _objects(levels)
@@ -78,7 +77,7 @@ def measure(
         interrupt.add_note(_describe_progress(objects, measure_settings, client))
         raise
     models = [
-        replace(model, levels=kept_levels(every_level, kept))
+        replace(model, levels=pick_levels(every_level, kept))
         for every_level, (model, kept) in zip(objects, measured, strict=True)
     ]
     if isinstance(levels, Levels):
@@ -87,12 +86,12 @@ def measure(
 
 
 def _describe_progress(objects: list[Levels], settings: MeasureSettings, client: Any) -> str:
-    """Describe how many scores an interrupted measurement leaves for the next one."""
+    """Describe how many scores of an interrupted measurement are cached."""
     if not settings.cache:
         return "measure: no scores are kept without a cache"
     if client is not None:
         return "measure: scores are kept in the cache folders of the cluster's workers; the same call goes on from them"
-    known_count, total_count = map(sum, zip(*(kept_scores(levels, settings) for levels in objects), strict=True))
+    known_count, total_count = map(sum, zip(*(count_scores(levels, settings) for levels in objects), strict=True))
     kept = f"measure: {known_count:,} of at most {total_count:,} scores are kept in {cache.folder()}"
     return f"{kept}; the same call goes on from them"
 

@@ -1,4 +1,4 @@
-"""Measures the levels of one object: selects the levels worth keeping, and fits their curves."""
+"""Measures the levels of one object: chooses the levels to keep, and fits their curves."""
 
 from __future__ import annotations
 
@@ -17,29 +17,30 @@ from nearfar.lod._measure.views import AXES
 from nearfar.lod._model import LodModel
 
 STEPPED_SIZES = 4
-"""Number of sizes at which levels are kept by steps. SSIM of bumpy objects dips as they get smaller: a level that is
-good enough at 1/16 of the screen may not be at the next sizes, where without a finer level the base would be shown."""
+"""Number of sizes at which levels are chosen by steps of their scores. SSIM of bumpy objects may fall as they get
+smaller: a level that is good enough at 1/16 of the screen may be too coarse at the next sizes, where the base would be
+shown if no finer level were kept."""
 
 RECORDED = ("spacing", "distances", "standard_error", "percentile", "step", "saturated", "samples")
-"""Settings in the record of a measurement, besides those of screen and views."""
+"""Settings in the record of a measurement, besides the screen and the views."""
 
 LARGE_ERROR = 2.0
-"""Factor of the standard error above σ₁/₁₆, where pictures take most of the time, and only budgets read curves."""
+"""Factor of the allowed standard error above σ₁/₁₆, where pictures take the most time and only budgets use curves."""
 
 SIZE_TOLERANCE = 1e-9
-"""Relative tolerance of sizes that equal σ₁/₁₆."""
+"""Relative tolerance for comparing sizes with σ₁/₁₆."""
 
 STEP_TOLERANCE = 1e-9
-"""Tolerance in steps: 0.95, not a binary fraction, counts as one step of 0.05 below 1."""
+"""Tolerance in steps: 0.95, which float64 rounds, is one step of 0.05 below 1."""
 
 
 def measure_one(levels: Levels, report: progress.Report, *, settings: MeasureSettings) -> tuple[LodModel, list[int]]:
-    """Return a model without geometry, and the numbers of the levels that it keeps, always including the base."""
+    """Return a model without geometry, and the numbers of its levels, which always include the base."""
     return _Measurement(ScoreTable(levels, settings, report)).run()
 
 
-def kept_scores(levels: Levels, settings: MeasureSettings) -> tuple[int, int]:
-    """Count the cached scores, and the scores of a complete measurement of each level at each size."""
+def count_scores(levels: Levels, settings: MeasureSettings) -> tuple[int, int]:
+    """Count the cached scores, and the scores of a complete measurement."""
     if len(levels) < 2 or not levels.radius > 0.0:
         return 0, 0
     table = ScoreTable(levels, settings, lambda _done, _total: None)
@@ -56,10 +57,10 @@ class _Measurement:
         self.is_measured = np.zeros(table.scores.shape, bool)
         self.is_measured[0] = True
         self.first_scores = np.full(len(self.levels), np.nan)
-        """Scores (K,) at the first size at which levels are kept, as far as known."""
+        """Scores (K,) at the first size at which levels are chosen; NaN where unknown."""
 
     def run(self) -> tuple[LodModel, list[int]]:
-        """Measure all unknown scores; return the model and the levels that it keeps."""
+        """Measure the scores that are unknown; return the model and the numbers of its levels."""
         kept = list(range(len(self.levels)))
         if len(self.levels) > 1:
             self.table.prepare()
@@ -80,26 +81,26 @@ class _Measurement:
         streaks = np.zeros(len(self.levels), int)
         limit = table.screen.reference_sine * (1 + SIZE_TOLERANCE)
         sizes = [size for size, sine in zip(table.sizes, table.orbit.sines, strict=True) if sine <= limit]
-        # Without such a size the smallest one decides.
+        # If all sizes are larger, the smallest one decides.
         sizes = sizes[:STEPPED_SIZES] or list(table.sizes[-1:])
         for size in sizes:
             scores = self._from_coarsest(size, step, streaks >= 2)
             if size == sizes[0]:
                 self.first_scores = scores
-            # Unmeasured levels look like the base, or are finer than one that is good enough.
+            # Levels without a score look like the base, or are finer than one that is within a step of the base.
             kept.update(coarsest_of_steps(np.where(np.isnan(scores), 1.0, scores), step))
             if saturated is not None:
                 streaks = np.where(scores >= saturated, streaks + 1, np.where(streaks < 2, 0, streaks))
         return sorted(kept)
 
     def _from_coarsest(self, size: int, step: float, is_like_base: NDArray[np.bool_]) -> NDArray[np.float64]:
-        """Score levels at a size (K,) from the coarsest up to one within a step of the base; NaN for the others.
+        """Scores (K,) at a size, from the coarsest level up to the first within a step of the base; else NaN.
 
-        Finer levels are not chosen, whatever their score. A few turns predict where to begin, so that the base's
-        pictures are usually made only once.
+        Finer levels are never chosen, so they are not scored. A few turns predict the finest level that must be scored:
+        then the base's pictures usually are made only once.
         """
         table, count = self.table, len(self.levels)
-        # A level that looks like the base is within a step, too.
+        # Levels that look like the base are within a step, so finer ones need no score.
         finest = max(1, int(np.flatnonzero(is_like_base)[-1]) + 1) if is_like_base.any() else 1
         pilot = table.subsets[0]
         table.fill(size, list(range(finest, count)), pilot)
@@ -115,7 +116,7 @@ class _Measurement:
         return scores
 
     def _fill(self, size: int, numbers: list[int]) -> NDArray[np.intp]:
-        """Score levels at a size until their standard errors are small enough; return the turns."""
+        """Score levels at a size from more and more turns until the standard errors are small; return these turns."""
         table, limit = self.table, self.settings.standard_error
         if table.orbit.sines[size - 1] > table.screen.reference_sine * (1 + SIZE_TOLERANCE):
             limit *= LARGE_ERROR
@@ -128,7 +129,7 @@ class _Measurement:
         return turns
 
     def _measure(self, kept: list[int]) -> None:
-        """Measure the kept levels, from near to far."""
+        """Measure the kept levels at all sizes, from near to far."""
         table, streaks = self.table, np.zeros(len(self.levels), int)
         measured = kept[1:]
         for size in table.sizes:
@@ -158,7 +159,7 @@ class _Measurement:
         )
 
     def _record(self, kept: list[int]) -> dict[str, Any]:
-        """Settings and work as JSON, and the dropped levels with their scores at the first size, if known."""
+        """Record of the settings, the work, and the levels left out with their scores at the first size, as JSON."""
         settings, screen = vars(self.settings), self.table.screen
         needed = (len(self.levels) - 1) * settings["distances"] * settings["views"]
         scored, cached = self.table.counts
@@ -181,11 +182,11 @@ class _Measurement:
 
 
 def steps_below(score: NDArray[np.float64], step: float) -> NDArray[np.float64]:
-    """Number of steps, at least 1, by which scores (K,) are below 1; NaN for NaN."""
+    """Number of steps by which scores (K,) are below 1, at least 1; NaN for NaN."""
     return np.maximum(1.0, np.ceil((1.0 - score) / step - STEP_TOLERANCE))
 
 
 def coarsest_of_steps(score: NDArray[np.float64], step: float) -> list[int]:
-    """Numbers of the levels to keep by scores (K,): the base, and for each step down from 1 the coarsest above it."""
+    """Numbers of the levels to keep: the base, and the coarsest level within 1, 2, … steps below 1, by scores (K,)."""
     steps = steps_below(score, step)
     return sorted({0, *(int(np.flatnonzero(steps <= allowed)[-1]) for allowed in np.unique(steps[1:]))})

@@ -22,21 +22,21 @@ VERSION = 3
 SUFFIX = ".npy"
 
 SAVE_INTERVAL_S = 5.0
-"""Seconds between two writes during a measurement: the most that a killed process loses."""
+"""Seconds between two writes during a measurement: a killed process loses at most the scores of this time."""
 
 
 def content(scene: Scene) -> str:
-    """Hash of everything drawn of a scene."""
+    """Hash of all properties of a scene that are drawn."""
     parts = parts_of(scene._core)
     del parts["material_tags"]
     return cache.key("scene", parts)
 
 
 class ScoreCache:
-    """Cached scores of each level (D, V), NaN where unknown.
+    """Files with the scores (D, V) of each level, NaN where unknown.
 
-    `contents` has the hash of each level, the base first, `settings` all other parameters that scores depend on. Cached
-    scores are filled into `scores` (K, D, V), and `save` writes new ones.
+    `contents` has the hash of each level, base first; `settings` are all other parameters that determine scores. Cached
+    scores are copied to `scores` (K, D, V), and `save` writes new ones.
     """
 
     def __init__(self, contents: Sequence[str], settings: Iterable[object], scores: NDArray[np.float32]) -> None:
@@ -45,7 +45,7 @@ class ScoreCache:
         self._keys = [cache.key("lod.measure", VERSION, __version__, base, level, settings) for level in contents]
         self._scores = scores
         self._farther: dict[int, NDArray[np.float32]] = {}
-        """Cached scores at distances beyond ours, by level."""
+        """Cached scores at further distances than those measured now, by level."""
         self._saved_at = time.monotonic()
         for number in range(1, len(contents)):
             self._load(number)
@@ -59,7 +59,7 @@ class ScoreCache:
             # Read first: np.load from a file may raise TypeError on Ctrl-C while it detects the file type.
             stored = np.load(io.BytesIO(path.read_bytes()), allow_pickle=False)
         except (OSError, ValueError, EOFError):
-            # Removed meanwhile, or damaged: it is measured again.
+            # The file was removed meanwhile or is damaged: measure again.
             return
         scores = self._scores[number]
         if stored.ndim != 2 or stored.shape[1] != scores.shape[1] or stored.dtype != scores.dtype:

@@ -1,4 +1,4 @@
-"""Scores of one object's levels by size and view: known ones, and the work to find the others."""
+"""Table of the scores of one object's levels by size and view; measures scores that are unknown."""
 
 from __future__ import annotations
 
@@ -17,15 +17,15 @@ from nearfar.lod._measure.settings import MeasureSettings
 from nearfar.lod._measure.views import Orbit, nested_turns, turns
 
 MAX_BLOCK_PIXELS = 1 << 20
-"""Pixels of a block of views. Memory holds two pictures of each view and every level's mask; Ctrl-C loses one level's
-scores of a block."""
+"""Pixels of a block of views. Memory holds two pictures of each view of a block, and each level's mask; Ctrl-C loses
+the scores of one level of a block."""
 
 
 class ScoreTable:
     """Scores of K levels, base first, at D sizes from T distinct turns, NaN where unknown.
 
-    They are float32, as in a model's samples, so that a model can recompute its curves from them. `report` is called
-    with the pixels rendered so far and in total.
+    Scores are float32, as in a model's samples, so that a model can recompute its curves. `report` is called with the
+    pixels rendered so far and in total.
     """
 
     def __init__(self, levels: Levels, settings: MeasureSettings, report: progress.Report) -> None:
@@ -63,14 +63,14 @@ class ScoreTable:
         if self.settings.cache:
             screen, orbit = self.screen, self.orbit
             cameras = (orbit.center, orbit.radius, screen.tan_half_angle, screen.pixel, screen.size)
-            # Published distances do not depend on their number, so that further ones are added to cached scores.
+            # Published distances do not depend on their number, so more distances extend the cached scores.
             sizes = orbit.sines if self.settings.spacing == "geometric" else ()
             pictures = (sizes, self.settings.views, self.settings.directions, self.settings.samples, self.device)
             self.cache = ScoreCache(contents, (*cameras, *pictures), self.scores)
         self.was_known = np.isfinite(self.scores)
 
     def fill(self, size: int, numbers: list[int], among: NDArray[np.intp] | None = None) -> None:
-        """Score levels at a size from all turns, or those `among`, where scores are unknown, by blocks of views."""
+        """Measure the unknown scores of levels at a size, for all turns or those `among`, in blocks of views."""
         table = self.scores[:, size - 1]
         is_requested = np.zeros(len(self.turns), bool)
         is_requested[slice(None) if among is None else among] = True
@@ -108,12 +108,12 @@ class ScoreTable:
 
     @property
     def counts(self) -> tuple[int, int]:
-        """Number of scores found, and of scores used that were known before."""
+        """Number of used scores that were measured, and number of used scores that were known before."""
         used = self.is_used & ~self.is_base[:, None, None]
         return int((used & ~self.was_known).sum()), int((used & self.was_known).sum())
 
     def _report(self, size: int, share: float) -> None:
-        """Report the pixels of earlier sizes and a share of this one's, as if each size were measured once."""
+        """Report progress: the pixels of earlier sizes, and a share of this size's pixels."""
         pixels = [self.orbit.pixel_count(number) for number in self.sizes]
         self._done = max(self._done, int(sum(pixels[: size - 1]) + share * pixels[size - 1]))
         self.report(self._done, sum(pixels))

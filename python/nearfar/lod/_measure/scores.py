@@ -1,4 +1,4 @@
-"""Scores the similarity of levels to their base, seen from many sides."""
+"""Scores the similarity of levels to their base from many sides."""
 
 from __future__ import annotations
 
@@ -39,10 +39,10 @@ class Pictures(NamedTuple):
 def scores(
     base: Scene, levels: Sequence[Compared], cameras: Sequence[Camera], samples: int, backend: Backend | None
 ) -> Iterator[NDArray[np.float64]]:
-    """Score level by level, each from its cameras; the base's pictures are made once for all levels.
+    """Yield the scores of each level from its cameras; the base's pictures are made once for all levels.
 
-    A score is the SSIM over the pixels where either picture shows the object; 1 if neither does, since both show the
-    same sky. All cameras have the same picture size.
+    A score is the SSIM over the pixels at which either picture shows the object; 1 if neither shows it, since both show
+    the same sky. All cameras have the same picture size.
     """
     if backend == "gpu":
         base_pictures = pictures(base, cameras, samples, backend)
@@ -51,7 +51,7 @@ def scores(
             truth = Pictures(*(_select_pictures(part, indices) for part in base_pictures))
             yield _similarity(truth.luma, test.luma, truth.is_object | test.is_object)
         return
-    # Only pixels within the windows of counted pixels are traced: others do not affect the score.
+    # Only pixels in the SSIM windows of object pixels are traced: others do not affect the score.
     views = [camera._core for camera in cameras]
     needed = _core.silhouettes(base._core, views)
     views_of = [[views[number] for number in indices] for _, indices in levels]
@@ -68,7 +68,7 @@ def scores(
 
 
 def pictures(scene: Scene, cameras: Sequence[Camera], samples: int, backend: Backend | None) -> Pictures:
-    """Render an object before the sky."""
+    """Render an object in front of the sky."""
     width, height = cameras[0].size
     luma = np.empty((len(cameras), height, width))
     is_object = np.empty(luma.shape, bool)

@@ -17,7 +17,7 @@ from nearfar.lod._measure.statistic import Mean
 from nearfar.lod._measure.views import AXES, Directions, Screen, Spacing
 
 MIN_VIEWS = 4
-"""Least number of views: fewer directions lie in a plane and may miss whole sides of an object."""
+"""Least number of views: fewer directions lie in one plane and may miss whole sides of an object."""
 
 MAX_VIEWS = 1 << 20
 MAX_DISTANCES = 1000
@@ -27,56 +27,56 @@ MAX_DISTANCES = 1000
 class MeasureSettings(Alternatives):
     """Settings of `measure`: the pictures to compare, and the levels to keep.
 
-    By default views end at a standard error. `MeasureSettings.full(…)` compares all views of all levels,
-    `MeasureSettings.published(…)` those of the thesis. ValueError and TypeError for settings out of range, no screen,
-    or two.
+    By default, views are added until a standard error is reached. `MeasureSettings.full(…)` compares all views of all
+    levels, `MeasureSettings.published(…)` the views of the thesis. ValueError and TypeError for settings out of range,
+    no screen, or two screens.
 
     Parameters
     ----------
     hmd
-        The headset. Pictures have the pixels of its left eye's view, but are symmetric about the axis; only the
-        object's box is rendered, with the same result as the whole picture.
+        The headset. Pictures have the pixels of its left eye's view, but are symmetric about the axis. Only the
+        object's box is rendered, with the same result.
     fov, size
         A view and its width and height in pixels, each at least 11, instead of `hmd`.
     views
-        Greatest number of pictures of each level at each distance, at least 4. The object turns before a camera on +z,
-        and light and sky turn with it.
+        Greatest number of pictures of each level at each distance, at least 4. The object turns in front of a camera on
+        +z; light and sky turn with it.
     directions
-        Distribution of the views over directions. "even": as many directions as views, uniform over the sphere (a
-        Fibonacci sphere), each by the shortest turn of the object. "published": turns in equal steps, of 10° for 144
-        views, about four axes across the line of sight: horizontal, vertical and the two diagonals between them; the
-        number of views must be a multiple of 4.
+        Directions of the views. "even": as many directions as views, uniform over the sphere (a Fibonacci sphere), each
+        by the shortest turn of the object. "published": turns in equal steps (10° for 144 views) about four axes
+        perpendicular to the line of sight: horizontal, vertical and the two diagonals between them; the number of views
+        must be a multiple of 4.
     spacing
-        Sequence of the distances. "geometric": in equal factors, from a sphere that is twice as wide as at
-        σ₁/₁₆, because budgets and a `quality` read curves there, to one of 4 pixels. At
-        σ₁/₁₆ = 2π(1−cos(asin(¼ tan ω))), where ω is half the horizontal field of view, a sphere fills 1/16 of the
-        screen. "published": the first at σ₁/₁₆, at the others the sphere's nearest point is 2, 3, … times as far.
+        Sequence of the distances. At the solid angle σ₁/₁₆ = 2π(1−cos(asin(¼ tan ω))), where ω is half the horizontal
+        field of view, the bounding sphere fills 1/16 of the screen. "published": the first distance is at σ₁/₁₆; at the
+        others the sphere's nearest point is 2, 3, … times as far. "geometric": sizes in equal factors, from a sphere
+        twice as wide as at σ₁/₁₆, where budgets and a `quality` need curves, to one 4 pixels wide.
     distances
-        Number of distances, 1 to 1000. Fewer than 4 leave curves "unfittable"; with fewer than 8 many are "flat": those
-        stay at their least score.
+        Number of distances, 1 to 1000. With fewer than 4 curves are "unfittable"; with fewer than 8 many are "flat" and
+        have their least score at all sizes.
     standard_error
-        At each distance a twelfth of the views is compared first, then about twice as many from all sides each time,
-        until the standard error of each measured level's score is at most this, above σ₁/₁₆ twice this, or there are no
-        more views. It holds for views that are drawn at random; evenly spread ones have a smaller error. 0 compares all
-        views.
+        Greatest standard error of a score; twice as much is allowed above σ₁/₁₆. At each distance a twelfth of the
+        views is compared first, then about twice as many each time, always from all sides, until the errors of all
+        measured levels are small enough or no views are left. The error is estimated as for random views; the error of
+        evenly spread views is smaller. 0 compares all views.
     percentile
-        Percentile over the views that is a level's score at a size, 0 to 100, as NumPy's "averaged_inverted_cdf"; or
-        "mean". `LodModel.refit` applies another one without new pictures.
+        Percentile over the views that is a level's score at a size, 0 to 100, by NumPy's method
+        "averaged_inverted_cdf"; or "mean". `LodModel.refit` applies another one without new pictures.
     step
-        Keep the coarsest of the levels that score at least 1 − step at the first distance at or below σ₁/₁₆, the
-        coarsest of those that score at least 1 − 2 step, and so on; likewise at the next three, because SSIM of bumpy
-        objects may fall as they get smaller. Other levels look no better than a coarser one, and are measured only as
-        far as needed to know that. The base always stays. None keeps all.
+        Of the levels with a score of at least 1 − step the coarsest is kept, likewise of those with at least 1 − 2
+        step, and so on. Scores are compared at the first distance at or below σ₁/₁₆ and at the next three, because SSIM
+        of bumpy objects may fall as they get smaller. Other levels look no better than a coarser one, and are measured
+        only as far as needed to find that out. The base is always kept. None keeps all levels.
     saturated
-        A level that reaches this score at two successive distances is not measured further, and its curve stays at that
-        value. None measures all.
+        A level that reaches this score at two successive distances is not measured at further ones, where its last
+        score is assumed. None measures all levels at all distances.
     samples
         Samples of each pixel, as in `render`.
     backend
-        As in `render`. If a GPU multisamples, curves differ slightly from the CPU's.
+        As in `render`. Curves measured by a GPU that multisamples differ slightly from those of the CPU.
     cache
-        Whether to cache scores, by content and settings: scores measured before, also before Ctrl-C, are not rendered
-        again, and a new level is measured alone.
+        Whether to cache scores, by content and settings. Scores measured before, also by a call that Ctrl-C ended, are
+        not measured again; if a level is added, only that level is measured.
     """
 
     _alternatives: ClassVar = (("hmd",), ("fov", "size"))
@@ -118,13 +118,13 @@ class MeasureSettings(Alternatives):
 
     @classmethod
     def full(cls, **keywords: Unpack[MeasureKeywords]) -> Self:
-        """Settings that compare all levels from all views at all distances; `keywords` are other fields."""
+        """Return settings that compare all levels from all views at all distances; `keywords` are other fields."""
         every: MeasureKeywords = {"standard_error": 0.0, "step": None, "saturated": None}
         return cls(**(every | keywords))
 
     @classmethod
     def published(cls, **keywords: Unpack[MeasureKeywords]) -> Self:
-        """Settings with the views and distances of Liebisch (2021), all compared; `keywords` are other fields."""
+        """Return settings that compare all views and distances of Liebisch (2021); `keywords` are other fields."""
         thesis: MeasureKeywords = {"directions": "published", "spacing": "published"}
         return cls.full(**(thesis | keywords))
 

@@ -1,4 +1,4 @@
-"""Measured scores of an object's levels: the statistic over views that is a score, and the curves through scores."""
+"""Measured scores of an object's levels: statistics over the views, and curves fitted to them."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class Samples:
     score: NDArray[np.float64]
     """Percentile or mean of SSIM over all views (K, D); NaN at sizes skipped because the level looked like the base."""
     views: NDArray[np.float32] | None = None
-    """SSIM of each view (K, D, V): ordered from the object's front to its back, or by published axis. NaN for views
+    """SSIM of each view (K, D, V), ordered from the object's front to its back, or by published axis; NaN for views
     that were not needed."""
 
     @property
@@ -39,7 +39,7 @@ class Samples:
 
 
 def check_percentile(percentile: float | Mean) -> float | Mean:
-    """Check a percentile, or "mean"; ValueError or TypeError that names the argument otherwise."""
+    """Check a percentile, or "mean"; ValueError or TypeError for other values."""
     if not isinstance(percentile, str):
         return check.in_range("percentile", percentile, 0.0, 100.0)
     if percentile not in get_args(Mean):
@@ -65,10 +65,11 @@ def of_views(scores: NDArray[Any], percentile: float | Mean) -> NDArray[np.float
 
 
 def standard_errors(scores: NDArray[Any], percentile: float | Mean, count: int) -> NDArray[np.float64]:
-    """Standard errors (…) of the statistic from scores (…, V) of a random part of `count` views; 0 for all of them.
+    """Standard errors (…) of the statistic from scores (…, V) of a random subset of `count` views; 0 for all views.
 
-    For a percentile, half the difference between the quantiles one standard deviation of the binomial distribution
-    above and below it (Woodruff 1952, Confidence intervals for medians and other position measures).
+    The error of a percentile is half the difference between the quantiles that lie one standard deviation of the
+    binomial distribution above and below it (Woodruff 1952, Confidence intervals for medians and other position
+    measures).
     """
     known = scores.shape[-1]
     if known >= count:
@@ -84,20 +85,20 @@ def standard_errors(scores: NDArray[Any], percentile: float | Mean, count: int) 
 
 
 def curves_through(samples: Samples) -> Curve4PL:
-    """Fit a falling curve to the scores of each level but the base: the least score at a size and all smaller ones.
+    """Fit a falling curve for each level but the base, to the least score at each size and all smaller ones.
 
-    SSIM of many levels falls and rises again as they get smaller. With the least score, a level that is good enough at
-    a size is so at all smaller ones, and no object gets a finer level as it shrinks.
+    SSIM of many levels falls and rises again as they get smaller. By the least score, a level that is good enough at a
+    size is also good enough at all smaller sizes, so no object gets a finer level as it shrinks.
     """
     scores = _least_of_smaller(samples.filled[1:])
     return cautious(fit_4pl(samples.sigma, scores), scores)
 
 
 def mean_curves_through(samples: Samples) -> tuple[Curve4PL, Curve4PL]:
-    """Fit the sum of two curves to the mean scores over the views, of each level but the base.
+    """Fit the sum of two curves to the mean scores over the views, for each level but the base.
 
-    The first one is fitted to the least score at a size and all smaller ones, the second one to the rest, which rises
-    with size.
+    The first curve is fitted to the least score at each size and all smaller ones, the second one to the remainder,
+    which rises with size.
     """
     scores = replace(samples, score=of_views(np.asarray(samples.views), "mean")).filled[1:]
     falling = fit_4pl(samples.sigma, _least_of_smaller(scores))
@@ -110,7 +111,7 @@ def _least_of_smaller(scores: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def cautious(curves: Curve4PL, scores: NDArray[np.float64]) -> Curve4PL:
-    """Lower flat curves to their least score: the fitted mean promises more than some sizes have shown."""
+    """Lower flat curves to their least score: the fitted mean exceeds the scores at some sizes."""
     is_flat = curves.status == "flat"
     least = scores.min(axis=1)
     return replace(curves, a=np.where(is_flat, least, curves.a), d=np.where(is_flat, least, curves.d))

@@ -32,14 +32,14 @@ REFERENCE_WIDTH = 0.25
 """Width of the bounding sphere at σ₁/₁₆, as a share of the screen's: 1/16 of a square screen's area."""
 
 LEAST_DIAMETER = 4.0
-"""Diameter in pixels of the bounding sphere at the last of geometric distances."""
+"""Diameter in pixels of the bounding sphere at the last geometric distance."""
 
 FIRST_INTERVAL = 12
-"""Every 12th turn is compared first, to predict scores and their standard errors. Multiples of 12 golden angles are far
-from whole circles, those of Fibonacci numbers are not."""
+"""Every 12th turn is compared first, to predict scores and their standard errors. Multiples of 12 golden angles are not
+close to whole circles, unlike multiples of a Fibonacci number of golden angles."""
 
 MIN_SUBSET = 8
-"""Least number of turns of a subset: fewer show no spread."""
+"""Least number of turns of a subset: the spread of fewer scores says too little."""
 
 PADDING = 5
 """Padding in pixels around an object's box: SSIM windows of 11 pixels reach 5 pixels beyond their centre."""
@@ -55,9 +55,10 @@ def turns(views: int, directions: Directions) -> tuple[list[Quaternion], NDArray
 
 
 def nested_turns(count: int) -> list[NDArray[np.intp]]:
-    """Indices of growing subsets of the turns, about twice as many each time, the last one all; each is from all sides.
+    """Indices of growing subsets of the turns, each from all sides and about twice as large as the one before.
 
-    Every n-th turn belongs to the first subset, the turns in the middle between those to the second, and so on.
+    The first subset has every 12th turn, the next one also the turns midway between these, and so on; the last one has
+    all.
     """
     bits = (FIRST_INTERVAL - 1).bit_length()
     offsets = [int(f"{number:0{bits}b}"[::-1], 2) for number in range(1 << bits)]
@@ -83,10 +84,10 @@ def _even(number: int, count: int) -> Quaternion:
 
 
 def _published(views: int) -> tuple[list[Quaternion], NDArray[np.intp]]:
-    """Turns about each axis of `AXES` in turn, in equal steps from 0.
+    """Turns about one axis of `AXES` after the other, in equal steps from 0.
 
-    The identity is the same about each axis, and one picture. A half turn shows the back about each axis, but the roll
-    differs by a quarter turn between axes: four pictures. So 144 views are 141 pictures from 138 directions.
+    The turn by 0 is the same for all axes, so it is one picture. Half turns about all axes show the back, but with
+    different roll, so they are four pictures. So 144 views are 141 pictures from 138 directions.
     """
     steps = views // len(AXES)
     distinct: list[Quaternion] = [(0.0, 0.0, 0.0, 1.0)]
@@ -111,7 +112,7 @@ class Screen:
     pixel: float
     """Tangent spanned by a pixel at the axis."""
     size: tuple[int, int]
-    """Width and height in pixels; nothing outside is visible."""
+    """Width and height in pixels."""
 
     @classmethod
     def from_arguments(cls, hmd: Hmd | None, fov: Fov | None, size: tuple[int, int] | None) -> Screen:
@@ -157,13 +158,13 @@ class Screen:
 
 @dataclass(frozen=True)
 class Orbit:
-    """Cameras around an object's bounding sphere, by the number of the distance, from 1."""
+    """Cameras around an object's bounding sphere; distances are numbered from 1."""
 
     screen: Screen
     center: tuple[float, float, float]
     radius: float
     reach: float
-    """Distance from the centre to the farthest corner of any level, metres: coarse levels may exceed the sphere."""
+    """Distance from the centre to the farthest corner of any level, metres; coarse levels may exceed the sphere."""
     sines: tuple[float, ...]
     """Sine of half the angle that the sphere covers at each distance, descending."""
 
@@ -185,7 +186,7 @@ class Orbit:
         return sphere_solid_angle(self.sines[number - 1])
 
     def box(self, number: int) -> tuple[int, int, int, int]:
-        """First and end column, first and end row of the pixels that may show the object, padded for windows."""
+        """First and end column, first and end row of the pixels that may show the object, padded for SSIM windows."""
         distance = self.distance(number)
         is_inside = self.reach >= distance
         radius = math.inf if is_inside else self.reach / math.sqrt(distance**2 - self.reach**2) / self.screen.pixel

@@ -22,7 +22,8 @@ MIN_SIGHT_LENGTH = 1e-6
 
 Quad = tuple[float, float, float, float]
 Eye = tuple[tuple[float, float, float], Quad, Quad, tuple[float, float, float] | None, float, float]
-"""Position, orientation, tangents (left, right, down, up), gaze, and a pixel on the axis: degrees and tangent."""
+"""Position, orientation, tangents (left, right, down, up), gaze, and the size of a pixel on the axis: degrees,
+tangent."""
 
 
 def whole_numbers(name: str, value: ArrayLike, dtype: type[np.integer], count: int) -> NDArray[Any]:
@@ -31,14 +32,6 @@ def whole_numbers(name: str, value: ArrayLike, dtype: type[np.integer], count: i
     if numbers.shape != (count,):
         raise ValueError(f"{name}: expected shape ({count},), got {numbers.shape}")
     return numbers
-
-
-def draws_of(draws: ArrayLike, count: int) -> NDArray[np.uint8]:
-    """Check how often each of `count` objects is drawn."""
-    numbers = check.counts("draws", draws)
-    if numbers.shape != (count,):
-        raise ValueError(f"draws: expected shape ({count},), got {numbers.shape}")
-    return check.array("draws", numbers, columns=None, dtype=np.uint8)
 
 
 def models_of(
@@ -66,7 +59,10 @@ def models_of(
 def curves_of(
     models: Sequence[MeasuredLevels], curves: Sequence[Curve4PL]
 ) -> tuple[NDArray[np.float64], NDArray[np.int64], NDArray[np.float64]]:
-    """Curves of all models (C, 4), the first of each model (M + 1,), and (M, 3) least and greatest size and pixel."""
+    """Return the curves of all models (C, 4), the indices of the models' first curves, and their sizes.
+
+    The indices (M + 1,) end with C. The sizes (M, 3) are the least and greatest measured size, and the pixel or NaN.
+    """
     rows = [each.rows for each in curves]
     firsts = np.cumsum([0, *map(len, rows)], dtype=np.int64)
     measured = [(*model.sigma, math.nan if model.pixel is None else model.pixel) for model in models]
@@ -97,10 +93,10 @@ def gaze_of(cameras: tuple[Camera, ...], gaze: ArrayLike | None) -> tuple[float,
 
 
 def eye_of(camera: Camera, gaze: tuple[float, float, float] | None, panel: tuple[RadialLens, float] | None) -> Eye:
-    """Convert a camera to the kernel's numbers. A pixel spans the most degrees on the axis.
+    """Convert a camera to arguments of the kernel. Its pixel is one on the axis, where pixels span the most degrees.
 
-    `panel` has the lens and its tan ω if the camera's pixels are those of the panel behind the lens: they cover the
-    tangents tan ω f⁻¹(t / tan ω) of the view's sides t.
+    `panel` is the lens and its tan ω if the camera's pixels are those of the panel behind the lens. A side t of the
+    view is then at the tangent tan ω f⁻¹(t / tan ω) of the panel.
     """
     fov = _fov_of(camera)
     pitch = max((fov.right - fov.left) / camera.width, (fov.up - fov.down) / camera.height)
@@ -110,7 +106,7 @@ def eye_of(camera: Camera, gaze: tuple[float, float, float] | None, panel: tuple
 
 
 def on_panel(fov: Fov, lens: RadialLens, tan_omega: float) -> Quad:
-    """Sides of the part of the panel that shows a view; a view that extends beyond the fold is cut off there."""
+    """Sides of the part of the panel that shows a view, which ends at the lens's fold."""
     radii = lens.undistort(np.array(fov._sides) / tan_omega, outside="nan")
     left, right, down, up = tan_omega * np.where(np.isnan(radii), np.copysign(lens.r_max, fov._sides), radii)
     return left, right, down, up

@@ -32,7 +32,7 @@ class LodRules(Alternatives):
 
     As in `select`, σ is an object's solid angle, σ′ its apparent size, f(σ) the score that it needs, M_i the score of
     level i, and σ₁/₁₆ the `reference`. ValueError and TypeError for rules out of range, a lens with tangential terms, k
-    or d beside a `LodThreshold`, a `weight` or `floor` without a budget, and a `fade` or the mode "off" with one.
+    or d beside a `LodThreshold`, a `weight` or `floor` without a budget, and a `fade` or the mode "off" with a budget.
 
     Parameters
     ----------
@@ -49,7 +49,8 @@ class LodRules(Alternatives):
         Size through a lens: "axis", the published product σ (α⁺ − α⁻)/2μ, in which the lens shrinks one axis, or
         "area", that times sin α′/sin α of the centre, in which it shrinks both.
     limit
-        "seen": level 0 if σ′ is above σ₁/₁₆. "own": if σ is, so that near objects lose no detail through the lens.
+        "seen": objects with σ′ above σ₁/₁₆ get level 0. "own": objects with σ above it do, so that near objects lose no
+        detail through the lens.
     lens
         A lens without tangential terms, for all eyes; None leaves sizes unchanged. Its axis is the eye's line of sight.
     lens_radius
@@ -61,38 +62,39 @@ class LodRules(Alternatives):
         Whether objects out of view get −1 instead of a level. A sphere that is partly in view never does; one beside a
         corner of the view may keep a level.
     hysteresis
-        In units of the score, 0 to 1: a level coarser than the previous one needs f + hysteresis. Finer levels are
-        taken at once, so the threshold always holds. From level 0 a coarser one also needs sizes that are smaller than
-        the limits by this share.
+        Margin of the score, 0 to 1: a level coarser than the previous one needs a score of at least f + hysteresis.
+        Finer levels are taken at once, so the threshold always holds. To leave level 0, an object's size must also be
+        below the limits by this share.
     fade
-        0 to 1: share of the transition from one level to the next over which they are blended; see `Selection.shown`.
-        With level i chosen the transition is t = (M_i − f) / (M_i − M), M the best score of a coarser level, or M_i −
-        0.05 if there is none, and the next finer level that is good enough has the weight 1 − t/fade. Over the last
-        quarter of the sizes for which curves are evaluated, times `fade`, levels go to 0. `shown` is continuous except
-        where the curve of a finer level crosses both that of a coarser one and f, and where hysteresis holds levels.
+        Share of the transition from one level to the next, 0 to 1, over which they blend; see `Selection.shown`. If
+        level i is chosen, the transition is t = (M_i − f) / (M_i − M), where M is the best score of a coarser level, or
+        M_i − 0.05 if there is none. The next finer level that is good enough has the weight 1 − t/fade. Levels also
+        blend to level 0 over the last quarter of the sizes for which curves are evaluated, times `fade`. `shown` is
+        continuous except where the curve of a finer level crosses both f and the curve of a coarser level, and where
+        hysteresis holds levels.
     acuity_slope, acuity_limit_deg
-        `slope` and `limit_deg` of `acuity`, for "fovea"; pixels are the camera's. The sphere's edge nearest to the gaze
-        counts.
+        `slope` and `limit_deg` of `acuity`, for "fovea"; the pixel is the camera's, and the eccentricity that of the
+        sphere's point nearest to the gaze.
     inverse
         Inverse of the lens: "lut", with a relative error of σ′ within 10⁻⁸, or "newton", within rounding.
     budget
-        Maximum number of triangles of all objects in view. Then no threshold and no limit applies: levels have the
-        greatest sum of weight times score within the budget, to within one step between two levels, except where
-        `price`, `hysteresis` or a `floor` that does not fit prevents it. For each object the upper hull of (triangles,
-        weight × score) counts: at a price λ it takes the finest level of the hull to which each triangle adds at least
-        λ, and λ is the least price at which all fit. Steps at this price are taken in the order of the objects while
-        they fit, then smaller ones. Of more than 16,384 steps those are tried until a thousandth of the budget is left.
-        Scores are means over the views if a model has them, which may rise again with size, and beyond the measured
-        sizes those at the ends. With several cameras an object's greatest size counts. Its triangles count once, or as
-        often as `draws` of `select` says: `render_eyes` counts them twice, and `HybridRig.render` counts the pictures
-        that may draw the object.
+        Maximum number of triangles of all objects in view, instead of threshold and limit. Levels have the greatest sum
+        of weight × score within the budget, except for one step between two levels, unless `price`, `hysteresis` or a
+        `floor` that does not fit prevents it. Levels are chosen on the upper hull of each object's (triangles, weight ×
+        score): at a price λ an object takes the finest level of its hull to which each triangle adds at least λ, and λ
+        is the least price at which all objects fit. The remaining triangles pay for further steps, first those at this
+        price in the order of the objects, then smaller ones; of more than 16,384 steps only until a thousandth of the
+        budget is left. Scores are means over the views if a model has them. These may rise with size; beyond the
+        measured sizes they are constant. With several cameras an object's greatest size counts. Its triangles count
+        once, or as often as `draws` of `select` says: `render_eyes` counts them twice, and `HybridRig.render` counts
+        the pictures that may draw the object.
     weight
         Weights for a budget: "pixels", σ′ / (tangent of a pixel)², 0 beyond a lens's fold; "object", all equal; or (N,)
-        numbers, each 0 or from 10⁻¹⁵⁰ to 10¹⁵⁰. Equal weights give up the object that fills the view for many small
-        ones.
+        numbers, each 0 or from 10⁻¹⁵⁰ to 10¹⁵⁰. With equal weights, many small objects get more triangles than one
+        that fills the view.
     floor
-        For a budget: objects get at least the score f(σ) − floor if the budget suffices for all; otherwise none gets
-        more than that.
+        For a budget: all objects get at least the score f(σ) − floor if the budget suffices; otherwise no object gets a
+        finer level than this score needs.
     """
 
     k: float | None = None
@@ -141,7 +143,7 @@ class LodRules(Alternatives):
         return threshold_of(self.threshold, self.k, self.d)
 
     def _adapted_to(self, keywords: Mapping[str, Any]) -> dict[str, Any]:
-        """A threshold replaces k and d; k or d change those of a threshold."""
+        """A new threshold replaces k and d; new k or d replace those of the threshold."""
         if isinstance(keywords.get("threshold"), LodThreshold):
             return {"k": None, "d": None}
         threshold = self.threshold

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Any, Unpack
 
 import numpy as np
@@ -63,11 +64,10 @@ class Selector:
         is_budget = rules.budget is not None
         curves = [model.mean_curves[0] if is_budget else model.falling_curves for model in models]
         sphere_centers, sphere_radii = check.spheres(centers, radii)
-        index = inputs.whole_numbers("model_index", model_index, np.int64, len(sphere_radii))
-        previous_levels = (
-            None if previous is None else inputs.whole_numbers("previous", previous, np.int32, len(sphere_radii))
-        )
-        draw_counts = None if draws is None else inputs.draws_of(draws, len(sphere_radii))
+        whole_numbers = partial(inputs.whole_numbers, count=len(sphere_radii))
+        index = whole_numbers("model_index", model_index, np.int64)
+        previous_levels = None if previous is None else whole_numbers("previous", previous, np.int32)
+        draw_counts = None if draws is None else whole_numbers("draws", check.counts("draws", draws), np.uint8)
         cameras = inputs.cameras_of(camera)
         reference = reference_solid_angle(widest(cameras)) if rules.reference is None else rules.reference
         shared: dict[str, Any] = {
@@ -129,16 +129,16 @@ def select(
     An object of solid angle σ needs a score of f(σ). Its apparent size is σ′, at which level i has the score M_i(σ′):
     the level is the coarsest i with f(σ) ≤ M_i(σ′), or 0. It is always 0 if the eye is inside the sphere, if σ′ is
     above σ₁/₁₆ (`limit`, not for the threshold "constant"), or above the largest size at which the model was measured.
-    Below the smallest measured size, curves keep their value. M_i is the least score at a size and all smaller ones: a
-    curve that rises with size counts with its least score, so that no object gets a finer level as it shrinks
-    for k ≥ 0. If a model knows its pixel size, curves are evaluated at σ′ times (its pixel / the camera's)²: the same
-    object in smaller pixels shows more.
+    Below the smallest measured size, curves are constant. M_i is the least score at a size and all smaller ones: of a
+    curve that rises with size the least score is used, so that no object gets a finer level as it shrinks, if k ≥ 0.
+    If the model has a pixel size, curves are evaluated at σ′ times (the model's pixel / the camera's pixel)²: smaller
+    pixels show more of the same object.
 
-    The selection behaves like its (N,) int32 levels, 0 the finest, −1 out of view. It does not depend on the number of
-    threads. ValueError and TypeError for wrong shapes, numbers that are not finite, radii below 0, invalid indices of
-    models and levels, weights below 0, or budgets below the coarsest levels of all objects in view, whose triangle
-    count the error states. Sources: Liebisch (2021), Sec. 4.3–4.5; Guenter, Finch, Drucker, Tan, Snyder (2012) for
-    "fovea".
+    The selection can be used like an int32 array (N,) of its levels: 0 for the finest, −1 out of view. It does not
+    depend on the number of threads. ValueError and TypeError for wrong shapes, numbers that are not finite, radii below
+    0, invalid indices of models and levels, weights below 0, or budgets below the coarsest levels of all objects in
+    view, whose triangle count the error states. Sources: Liebisch (2021), Sec. 4.3–4.5; Guenter, Finch, Drucker, Tan,
+    Snyder (2012) for "fovea".
 
     Parameters
     ----------
@@ -151,15 +151,16 @@ def select(
     radii
         Radii (N,) or one for all, metres, at least 0, with the objects' scales applied.
     camera
-        The eye, with a `Fov` of any shape and orientation; or several, such as a headset's two: then the finer of their
-        levels is used, and only objects that no eye sees are out of view.
+        The eye, with a `Fov` of any shape and orientation; or several, such as a headset's two. Then an object gets the
+        finest level that any of them needs, and only objects that no eye sees are out of view.
     previous
         Levels (N,) of the previous frame, −1 for none.
     price
-        For a budget: λ of the previous frame, `Selection.spent.price`. It is kept, so that levels stay, if it spends at
-        most the budget and at least 1 − hysteresis of it. The remainder goes to the levels in `previous` as far as they
-        fit; without `previous` to smaller steps. With `previous`, an object loses its level only to a score per
-        triangle that is better by the share `hysteresis`, or because it no longer fits.
+        For a budget: λ of the previous frame, `Selection.spent.price`. It is kept, so that levels do not change, if it
+        spends at most the budget and at least 1 − hysteresis of it. The remaining triangles go to the levels in
+        `previous` as far as they fit, or without `previous` to smaller steps. With `previous`, an object loses its
+        level only if other levels gain a score per triangle that is higher by the share `hysteresis`, or if the level
+        no longer fits.
     gaze
         World direction of the gaze (3,), any length, for "fovea"; by default the line of sight, for several cameras the
         mean of theirs.
@@ -177,7 +178,7 @@ def select(
 
 
 def _view_arguments(rules: LodRules, cameras: tuple[Camera, ...], gaze: ArrayLike | None) -> dict[str, Any]:
-    """Kernel arguments that determine apparent sizes: eyes, lens and acuity."""
+    """Arguments of the kernel that determine apparent sizes: eyes, lens and acuity."""
     tan_omega = 1.0 if rules.lens is None else checked_lens(rules.lens, widest(cameras), rules.lens_radius)
     lens = rules.lens if rules.lens is not None and rules.mode != "depth" and any(rules.lens.k) else None
     is_fovea, is_panel = rules.mode == "fovea", rules.mode == "panel"

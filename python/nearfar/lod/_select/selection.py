@@ -40,22 +40,23 @@ class Spent:
 class Selection(NDArrayOperatorsMixin):
     """Levels of N objects chosen by `select`, and with `full=True` the numbers that determined them.
 
-    It indexes, iterates, compares and computes like its levels, an int32 array (N,), and has that array's attributes
-    and methods; results are plain arrays. `full=True` fills the columns from `sigma` to `shown`, all (N,) float64, and
-    takes about twice the time. Without it they raise an AttributeError.
+    It can be indexed, iterated, compared and computed with like the int32 array (N,) of its levels, and has that
+    array's attributes and methods; results are plain arrays. `full=True` fills the columns from `sigma` to `shown`, all
+    (N,) float64, and takes about twice the time. Without it they raise an AttributeError.
 
-    For several cameras a column has the numbers of the first camera that required the level; under a budget those of
-    the one with the greatest size, and the greatest threshold. NaN marks numbers that were not needed.
+    With several cameras, columns have the numbers of the first camera that required the level. Under a budget they have
+    those of the camera that shows the object largest, and the greatest threshold. NaN marks numbers that were not
+    needed.
     """
 
     level: NDArray[np.int32]
     """Level of each object, 0 the finest; −1 out of view."""
     counts: Mapping[str, int]
-    """Number of objects by outcome. Each object counts as one of these for each camera, under a budget once for all:
+    """Number of objects by outcome. For each camera, or once under a budget, each object has one of these outcomes:
     "culled" (out of view), "one_level" (in view, nothing to choose), "settled" (another camera already required level
-    0), "large" (so large that no curve reaches the threshold, or with `limit="own"` above σ₁/₁₆) or "asked". Among
-    "asked": "lens" (σ′ was computed), "table" (the level was in a table of the model), "formula" (curves were
-    evaluated)."""
+    0), "large" (so large that no curve reaches the threshold, or with `limit="own"` above σ₁/₁₆) or "asked". Of the
+    objects "asked", "lens" counts those whose σ′ was computed, "table" those whose level was in a table of the model,
+    and "formula" those whose curves were evaluated."""
     columns: InitVar[Mapping[str, Array]]
     spent: Spent | None = None
     """Price, triangles and mean score under a budget; else None."""
@@ -119,7 +120,7 @@ class Selection(NDArrayOperatorsMixin):
         """Attributes and methods of the levels' array, such as `shape`, `max` and `tolist`."""
         if name in COLUMNS or hasattr(type(self), name):
             raise AttributeError(f"{name}: expected a selection made with full=True, which fills it")
-        # Pickling and protocols look up special methods before the fields are set, and would get the array's.
+        # Pickling and protocols look up special methods, also before the fields are set: the array's would be wrong.
         if name.startswith("_") or name in ("level", "counts", "spent"):
             raise AttributeError(f"Selection has no attribute {name!r}")
         return getattr(self.level, name)

@@ -1,4 +1,4 @@
-"""Sizes: the largest size at which levels are measured, and how lens and eye reduce apparent sizes."""
+"""Sizes: the largest size at which levels are measured, and the effect of lens and eye on apparent sizes."""
 
 from __future__ import annotations
 
@@ -81,7 +81,7 @@ def acuity(
 def distortion(
     eccentricity_deg: ArrayLike, *, lens: RadialLens, view: Hmd | Camera | Fov, lens_radius: float | None = None
 ) -> NDArray[np.float64]:
-    """Factor by which a lens changes a small object's solid angle, as in `select` with `size="axis"`: σ′/σ.
+    """Factor σ′/σ by which a lens changes a small object's solid angle, as in `select` with `size="axis"`.
 
     Returns float64 in the shape of the eccentricities: dα′/dα of α′ = atan(tan ω · f⁻¹(tan α / tan ω)). 1 from 90° on
     and beyond the lens's domain. ValueError and TypeError for invalid numbers or lenses. Source: Liebisch (2021),
@@ -100,7 +100,7 @@ def distortion(
     """
     tangent = _tangents(eccentricity_deg)
     scale = checked_lens(lens, view, lens_radius)
-    r, slope = _through(lens, tangent, scale)
+    r, slope = _radius_and_slope(lens, tangent, scale)
     factor = (1 + tangent**2) / (1 + (scale * r) ** 2) / slope
     return np.asarray(np.where(np.isfinite(factor), factor, 1.0))
 
@@ -108,7 +108,7 @@ def distortion(
 def panel_magnification(
     eccentricity_deg: ArrayLike, *, lens: RadialLens | None, view: Hmd | Camera | Fov, lens_radius: float | None = None
 ) -> NDArray[np.float64]:
-    """Number of panel pixels that a small object covers, as a multiple of those on the axis.
+    """Number of panel pixels that a small object covers, divided by the number that it covers on the axis.
 
     ValueError and TypeError for invalid numbers or lenses. Source: Liebisch (2021), Eq. 4.10, for r and f; D is the
     ratio of areas that follows from it.
@@ -132,7 +132,7 @@ def panel_magnification(
     if lens is None:
         fov_of(view)  # rejects anything but a view
         return np.asarray(spread)
-    r, slope = _through(lens, tangent, checked_lens(lens, view, lens_radius))
+    r, slope = _radius_and_slope(lens, tangent, checked_lens(lens, view, lens_radius))
     shrinks = np.polynomial.polynomial.polyval(np.nan_to_num(r) ** 2, (1.0, *lens.k))
     with np.errstate(divide="ignore", invalid="ignore"):
         return np.asarray(np.where(np.isfinite(r), spread / (shrinks * slope), np.inf))
@@ -152,8 +152,10 @@ def _tangents(eccentricity_deg: ArrayLike) -> NDArray[np.float64]:
     return np.where(eccentricity < 90, np.tan(np.radians(np.minimum(eccentricity, 89.999999999))), np.inf)
 
 
-def _through(lens: RadialLens, tangent: NDArray[np.float64], scale: float) -> tuple[NDArray[Any], NDArray[Any]]:
-    """Radii that a lens shows at some tangents, NaN beyond its domain, and its slope at these radii."""
+def _radius_and_slope(
+    lens: RadialLens, tangent: NDArray[np.float64], scale: float
+) -> tuple[NDArray[Any], NDArray[Any]]:
+    """Panel radii that a lens shows at tangents, NaN beyond its domain, and the lens's slope at these radii."""
     with np.errstate(over="ignore"):
         r = lens.undistort(tangent / scale, outside="nan")
     return r, lens.derivative(np.nan_to_num(r), outside="nan")
@@ -185,5 +187,5 @@ def checked_lens(lens: RadialLens, view: Hmd | Camera | Fov, lens_radius: Suppor
 
 
 def widest(views: Iterable[Camera]) -> Camera:
-    """Return the view with the greatest tangent to a side: both eyes of a headset share a reference and a lens."""
+    """Return the view with the greatest tangent to a side, since a headset's eyes share a reference and a lens."""
     return max(views, key=half_tangent)

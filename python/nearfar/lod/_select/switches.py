@@ -20,7 +20,7 @@ from nearfar.lod._select.size import fov_of, pixel_area, reference_solid_angle, 
 from nearfar.lod._select.threshold import Kind, LodThreshold, threshold_of
 
 _SAMPLED_SIZES = 1024
-"""Number of sizes in linear and in geometric steps, between which threshold crossings are searched."""
+"""Number of sizes in linear steps, and in geometric steps, between which threshold crossings are searched."""
 
 _ROUNDING = 1e-9
 """Greatest relative difference between two computations of the same size."""
@@ -33,23 +33,23 @@ _HALVINGS = 64
 class Switches:
     """Sizes of an object's bounding sphere up to which its K levels are good enough, without a lens.
 
-    All are (K,) float64. Level 0 is for all sizes. A level that is good up to a smaller size than a coarser one is
-    never shown.
+    Sizes are (K,) float64. Level 0 is good enough at all sizes. A level that is good enough up to a smaller size than a
+    coarser one is never shown.
     """
 
     solid_angle: NDArray[np.float64]
     """Steradians up to which each level is good enough; 0 for a level that never is."""
     distance: NDArray[np.float64]
-    """Size as the least distance to the sphere's centre, divided by its radius; ∞ for a level that never is."""
+    """Least distance to the sphere's centre at which a level is good enough, in radii; ∞ for one that never is."""
     screen_coverage: NDArray[np.float64]
     """Size as the share of the picture's area covered by the sphere, 0..1: π r²/z² over the picture's area."""
     screen_height: NDArray[np.float64]
     """Size as the sphere's diameter over the picture's height, 0..1."""
     is_limit: NDArray[np.bool_]
-    """Whether a level is good enough at all measured sizes, so that its true limit is unknown (K,)."""
+    """Whether a level is good enough up to the greatest measured size, so that its true limit is unknown (K,)."""
     score: NDArray[np.float64]
-    """Score of each level at the greatest measured size (K,): it is shown up to there with this `quality` or less. NaN
-    without a curve, 1 for level 0."""
+    """Score of each level at the greatest measured size (K,), the greatest `quality` with which it is shown up to
+    there. NaN without a curve, 1 for level 0."""
     reason: NDArray[np.str_]
     """Reason why a level is never shown (K,), empty for shown ones."""
 
@@ -99,10 +99,10 @@ def switches(
     quality: SupportsFloat | None = None,
     floor: Iterable[SupportsFloat] = (),
 ) -> Switches:
-    """Compute the sizes at which the levels of a model take over.
+    """Compute the sizes at which an object switches between the levels of a model.
 
-    A level is shown up to the greatest size to which it is good enough: SSIM at least f(σ), as in `select`. Above
-    σ₁/₁₆, and above the measured sizes, only level 0 is shown. Of the levels that are good enough the coarsest is
+    At each size the coarsest of the levels that are good enough is shown. A level is good enough up to the greatest
+    size to which its SSIM is at least f(σ), as in `select`. Above σ₁/₁₆, and above the measured sizes, only level 0 is
     shown.
 
     ValueError and TypeError for arguments out of range.
@@ -117,20 +117,20 @@ def switches(
     k, d, threshold
         The threshold, as in `select`.
     quality
-        Least SSIM at all sizes, 0 to 1, instead of the threshold: a `LodThreshold` of the kind "constant". Levels
-        switch up to the greatest measured size, about half of the picture's height. Levels of bumpy objects may never
+        Least SSIM at all sizes, 0 to 1, instead of the threshold: a `LodThreshold` of the kind "constant". Levels are
+        used up to the greatest measured size, about half of the picture's height. Levels of bumpy objects may never
         reach the threshold there; `Switches.score` is the greatest quality with which they are shown up to there.
     floor
-        Heights at which levels 1, 2, … take over at the latest, whatever their score: shares of the picture's height,
-        above 0 and at most 1, descending. Engines expect about (0.5, 0.25, 0.1).
+        Heights below which at least level 1, 2, … is shown, whatever its score: shares of the picture's height, above 0
+        and at most 1, descending. Engines expect about (0.5, 0.25, 0.1).
 
     Returns
     -------
     Switches
-        A model that knows its pixel size is evaluated in pixels of the headset or the camera, as in `select`; a `Fov`
-        has none. For a sphere of half angle μ, sin μ = r/z: σ = 2π(1 − cos μ), distance 1/sin μ, coverage
-        π sin²μ / ((right − left)(up − down)) in tangents, height 2 sin μ/(up − down). So σ(1 − σ/4π) is the area at
-        distance 1 of the disc that stands for a sphere in engines.
+        If the model has a pixel size, its curves are evaluated for the pixels of the headset or the camera, as in
+        `select`; a `Fov` has no pixels. For a sphere of half angle μ, sin μ = r/z: σ = 2π(1 − cos μ), distance 1/sin μ,
+        coverage π sin²μ / ((right − left)(up − down)) in tangents, height 2 sin μ/(up − down). σ(1 − σ/4π) is the area
+        at distance 1 of the disc by which engines approximate the sphere.
     """
     check.instance("model", model, MeasuredLevels, "a LodModel")
     limit, heights = threshold_of(threshold, k, d, quality), read_floor(floor)
@@ -140,11 +140,12 @@ def switches(
     line, greatest = limit.line(reference), min(model.sigma[1] / area, limit.limit(reference))
     sizes = _good_sizes(model, greatest, line, area)
     is_limit = (sizes * area >= model.sigma[1] * (1 - _ROUNDING)) & (np.arange(len(model)) > 0)
-    floor_sizes = _floor_sizes(heights, fov.up - fov.down)[: len(model) - 1]
-    is_limit[1 : 1 + len(floor_sizes)] &= sizes[1 : 1 + len(floor_sizes)] >= floor_sizes
-    sizes[1 : 1 + len(floor_sizes)] = np.maximum(sizes[1 : 1 + len(floor_sizes)], floor_sizes)
-    sine = np.sqrt(np.where(sizes < 2 * math.pi, sizes / (2 * math.pi) * (2 - sizes / (2 * math.pi)), 1.0))
     width, height = fov.right - fov.left, fov.up - fov.down
+    floor_sizes = _floor_sizes(heights, height)[: len(model) - 1]
+    floored = slice(1, 1 + len(floor_sizes))
+    is_limit[floored] &= sizes[floored] >= floor_sizes
+    sizes[floored] = np.maximum(sizes[floored], floor_sizes)
+    sine = np.sqrt(np.where(sizes < 2 * math.pi, sizes / (2 * math.pi) * (2 - sizes / (2 * math.pi)), 1.0))
     with np.errstate(divide="ignore"):
         distance = 1 / sine
     coverage = np.minimum(1.0, math.pi * sine**2 / (width * height))
@@ -175,7 +176,7 @@ def _floor_sizes(shares: tuple[float, ...], height: float) -> NDArray[np.float64
 
 
 def _reasons(sizes: NDArray[np.float64], scores: NDArray[np.float64], needed: float) -> list[str]:
-    """Reasons why levels are never shown, by the sizes up to which they are good enough, and scores at the least."""
+    """Reasons why levels are never shown, from the sizes up to which they are good enough and their greatest scores."""
     reasons = [""]
     for level in range(1, len(sizes)):
         coarser = level + 1 + np.flatnonzero(sizes[level + 1 :] >= sizes[level])
@@ -206,7 +207,7 @@ def _good_sizes(model: MeasuredLevels, greatest: float, line: tuple[float, float
     least, (start, slope) = model.sigma[0], line
 
     def is_good(sigma: NDArray[np.float64]) -> NDArray[np.bool_]:
-        """Whether levels are good enough (K − 1, M), at M sizes shared by all levels, or at sizes (K − 1, M)."""
+        """Whether levels are good enough (K − 1, M) at sizes (M,) shared by all levels, or at sizes (K − 1, M)."""
         return np.asarray(model.falling_curves(np.maximum(sigma * area, least)) >= slope * sigma + start)
 
     linear = np.linspace(0, greatest, _SAMPLED_SIZES)

@@ -1,4 +1,4 @@
-"""The least score that a level needs, as a function of the object's solid angle."""
+"""The least sufficient score of a level, as a function of the object's solid angle."""
 
 from __future__ import annotations
 
@@ -30,14 +30,14 @@ class LodThreshold:
     Parameters
     ----------
     k
-        Slope of the threshold with size: SSIM per steradian, for "normalized" per σ₁/₁₆. With a negative one, objects
+        Slope of the threshold with size: SSIM per steradian, for "normalized" per σ₁/₁₆. With a negative slope, objects
         may get finer levels as they shrink.
     d
         SSIM at `anchor`, for "literal" at σ = 0, for "normalized" at σ₁/₁₆, for "constant" at all sizes.
     kind
-        Form of f: "anchored" is d + k (σ − anchor), so that d is the score that viewers accepted at 1/16 of the study's
-        screens, and an object needs the same level in every headset. "literal" is kσ + d, "normalized"
-        d + k (σ/σ₁/₁₆ − 1). "constant" is d, without k, also above σ₁/₁₆, where the others allow level 0 only.
+        Form of f: "anchored" is d + k (σ − anchor). With it d is the score that viewers accepted at 1/16 of the study's
+        screens, and an object needs the same score in every headset. "literal" is kσ + d, "normalized" is
+        d + k (σ/σ₁/₁₆ − 1). "constant" is d without k, also above σ₁/₁₆, where the other kinds allow only level 0.
     anchor
         Solid angle at which "anchored" equals d, steradians, above 0: the study's mean σ₁/₁₆ by default. The other
         kinds ignore it.
@@ -70,7 +70,7 @@ class LodThreshold:
                 return self.d - self.k, self.k / reference
 
     def limit(self, reference: float) -> float:
-        """Return the greatest solid angle of levels other than 0, steradians: `reference`, 4π for "constant"."""
+        """Return the greatest solid angle of levels other than 0, steradians: `reference`, or 4π for "constant"."""
         reference = check.positive("reference", reference)
         return 4 * math.pi if self.kind == "constant" else reference
 

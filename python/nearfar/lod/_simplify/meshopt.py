@@ -11,12 +11,12 @@ from nearfar import _core
 from nearfar._base import background
 from nearfar.lod._simplify.surface import Surface, box_of, charts_of
 
-_ENOUGH = 1.01
-"""Up to this multiple of the requested triangles, nothing more is sacrificed for a level."""
+_COUNT_TOLERANCE = 1.01
+"""Triangle count, as a multiple of the requested one, at or below which nothing more is given up for a level."""
 
 _WEIGHTS = {"normals": 0.1, "colors": 0.1, "uvs": 0.5}
-"""Error, in extents of the surface, that a difference of 1 in an attribute counts as. Differences of texture
-coordinates are first converted to the distance by which the texture slides over the surface, also in extents."""
+"""Error, in extents of the surface, that is equivalent to a difference of 1 in an attribute. Differences of texture
+coordinates are first converted to the distance by which the texture moves over the surface, also in extents."""
 
 
 class MeshoptSimplifier:
@@ -68,7 +68,7 @@ class MeshoptSimplifier:
         for sacrifice in ("nothing", "seams", "parts"):
             faces, _ = background.run(functools.partial(_core.collapse, vertices, self._faces, target, sacrifice))
             remaining = min(remaining, faces, key=len)
-            if len(faces) <= _ENOUGH * target:
+            if len(faces) <= _COUNT_TOLERANCE * target:
                 break
         used, renumbered = np.unique(remaining, return_inverse=True)
         return self._surface.with_vertices(self._vertices[used], renumbered, self._material[remaining[:, 0]])

@@ -1,4 +1,4 @@
-"""Simplification by fast-simplification's quadrics, which moves vertices, and transfer of attributes to these."""
+"""Simplification by fast-simplification's quadrics, which moves vertices, and transfer of attributes to them."""
 
 from __future__ import annotations
 
@@ -15,11 +15,13 @@ from nearfar.lod._simplify.normals import sorted_edges, unit
 from nearfar.lod._simplify.surface import Surface, box_of, charts_of, first_alike
 
 EXTENT = 100.0
-"""Longest side of the box passed to fast-simplification, in its units. Its thresholds are absolute: in a small box the
-first one would collapse everything, in list order; in a large box low triangle counts would never be reached."""
+"""Longest side of the bounding box passed to fast-simplification, in its units. The package has absolute thresholds: in
+a small box the first threshold would collapse everything in list order; in a large box low triangle counts would never
+be reached."""
 
 FIN_HEIGHT = 0.5123
-"""Height of a fin as a share of its edge; not a round number, so that its apex is no vertex of a regular grid."""
+"""Height of a fin as a share of its edge; not a round number, so that its apex never coincides with a vertex of a
+regular grid."""
 
 _MAX_RUNS = 3
 """Maximum number of runs of the package per level."""
@@ -27,7 +29,7 @@ _MAX_RUNS = 3
 _COUNT_TOLERANCE = 0.005
 """Relative deviation from the requested triangles up to which no further run is made."""
 
-_ONE_AT_A_TIME = threading.Lock()
+_PACKAGE_LOCK = threading.Lock()
 """Lock for fast-simplification, which uses global variables."""
 
 TOLERANCE = {"uvs": 1 / 2048, "colors": 2.0, "normals": 0.02}
@@ -37,8 +39,8 @@ TOLERANCE = {"uvs": 1 / 2048, "colors": 2.0, "normals": 0.02}
 class QuadricSimplifier:
     """Simplifies one base with the quadrics of Garland and Heckbert by fast-simplification.
 
-    Vertices are first welded by place, so that seams do not open. Fins keep open borders and seams of charts in place:
-    triangles that stand on these edges, perpendicular to the surface, and whose planes count like the surface's own.
+    Vertices are first welded by place, so that seams do not open. Fins keep open borders and seams of charts in place.
+    They are triangles on these edges, perpendicular to the surface; their planes are part of the quadrics.
     """
 
     def __init__(self, surface: Surface, places: NDArray[np.uint32]) -> None:
@@ -56,8 +58,8 @@ class QuadricSimplifier:
         self._fins = fins(self._points, self._faces, seams[self._origin])
 
     @cached_property
-    def _carrier(self) -> Carrier:
-        return Carrier(self._surface)
+    def _transfer(self) -> AttributeTransfer:
+        return AttributeTransfer(self._surface)
 
     def level(self, target: int) -> Surface:
         """Simplify the surface to about `target` triangles, with its attributes."""
@@ -65,7 +67,7 @@ class QuadricSimplifier:
             return self._surface
         if target >= len(self._faces):
             # Only duplicates and faces without area are removed.
-            return self._carrier.interpolate(self._positions, self._faces.astype(np.uint32), self._origin)
+            return self._transfer.interpolate(self._positions, self._faces.astype(np.uint32), self._origin)
         points, faces = self._points, self._faces
         apexes, feet = self._fins
         apex_numbers = np.arange(len(points), len(points) + len(apexes), dtype=np.int32)
@@ -79,19 +81,19 @@ class QuadricSimplifier:
             collapsed = first_alike(positions)[roots][faces]
             remaining = np.flatnonzero(_is_triangle(collapsed))
             missing = target - len(remaining)
-            # Remaining fins count as triangles, too, but their number is known only after a run.
+            # The package also counts the remaining fins, whose number is known only after a run.
             if abs(missing) <= _COUNT_TOLERANCE * target or not 0 < run_target + missing < len(all_faces):
                 break
             run_target += missing
         used, renumbered = np.unique(collapsed[remaining], return_inverse=True)
         triangles = np.ascontiguousarray(renumbered.reshape(-1, 3), np.uint32)
-        return self._carrier.interpolate(positions[used], triangles, self._origin[remaining])
+        return self._transfer.interpolate(positions[used], triangles, self._origin[remaining])
 
     def _run(
         self, points: NDArray[np.float64], faces: NDArray[np.int32], target: int
     ) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
         """Return the new positions of points, and for each point the number of the point into which it was merged."""
-        with _ONE_AT_A_TIME:
+        with _PACKAGE_LOCK:
             new_points, new_faces, merged = self._package.simplify(
                 points, faces, target_count=target, return_collapses=True
             )
@@ -127,7 +129,7 @@ def _is_triangle(faces: NDArray[Any]) -> NDArray[np.bool_]:
 
 
 def _distinct(faces: NDArray[np.uint32]) -> tuple[NDArray[np.uint32], NDArray[np.int64]]:
-    """Return the faces with three distinct corners, without duplicates, and their numbers."""
+    """Return the faces with three distinct corners, without duplicates, and their numbers in the list."""
     rows = np.flatnonzero(_is_triangle(faces))
     corners = np.ascontiguousarray(np.sort(faces[rows], axis=1), np.uint32)
     first = _core.first_alike(corners.view(np.uint8).reshape(len(rows), -1)) if len(rows) else rows
@@ -162,7 +164,7 @@ def fins(
     return apexes[has_area], feet[has_area].astype(np.int32)
 
 
-class Carrier:
+class AttributeTransfer:
     """Finds the nearest place on the base for each corner of a level, and interpolates the attributes there.
 
     Each triangle of a level descends from a face of the base. The search for its corners starts from that face and

@@ -25,8 +25,8 @@ RATIOS = (1.0, 0.7, 0.5, 0.35, 0.25, 0.18, 0.12, 0.08, 0.05, 0.03, 0.02)
 
 Method = Literal["fast", "meshopt"]
 
-_NOTED_MISS = 0.01
-"""A level gets a note if its triangles deviate from the requested number by more than this share and by more than 2."""
+_NOTE_TOLERANCE = 0.01
+"""A level gets a note if its triangle count misses the requested one by more than this share and by more than 2."""
 
 
 def simplify(
@@ -51,14 +51,15 @@ def simplify(
         A scene, a trimesh mesh or scene, or a file for `Scene.load`. All of it counts as one object: parts are placed
         and simplified together, and keep their materials, textures, texture coordinates and vertex colours.
     ratios
-        Shares of the triangles, above 0 and at most 1, in any order. The base itself is always level 0. A level that
-        does not have fewer triangles than its predecessor is left out, and the predecessor's note names the ratio.
+        Shares of the base's triangles, above 0 and at most 1, in any order. The base itself is always level 0. A level
+        without fewer triangles than its predecessor is left out, and the predecessor's note names the ratio.
     method
         "fast": quadrics by fast-simplification, which moves vertices to minimise the error. Attributes are looked up on
         the base within each chart, so that seams are preserved. Vertices at one place stay joined, so no cracks appear.
-        "meshopt": meshoptimizer's simplifier, which keeps a subset of the vertices with their attributes, and weighs
-        attributes, too. If it cannot reach the triangle count otherwise, it gives up seams of normals and colours, and
-        then unconnected parts, small ones first. Small closed parts may disappear before that, as with "fast".
+        "meshopt": meshoptimizer's simplifier, which keeps a subset of the vertices with their attributes, and includes
+        attributes in the error. If it cannot reach the triangle count otherwise, it gives up seams of normals and
+        colours, and then unconnected parts, small ones first. Small closed parts may disappear before that, as with
+        "fast".
     normals
         "keep": the normals of the base, if it has any. "smooth": new normals for the base, weighted by the corners'
         angles; edges at which faces meet at more than 60° stay hard. "flat": no normals, so that faces are shaded flat.
@@ -83,7 +84,12 @@ def simplify(
         for number, share in enumerate(shares):
             report(number, len(shares))
             target = max(1, round(share * levels[0].triangle_count))
-            _append(levels, _level(base, simplifier.level(target), share, target), share)
+            level = _level(base, simplifier.level(target), share, target)
+            if level is not None and level.triangle_count < levels[-1].triangle_count:
+                levels.append(level)
+            else:
+                notes = [levels[-1].note, f"ratio {share:g} can't be reached"]
+                levels[-1] = replace(levels[-1], note="; ".join(filter(None, notes)))
         report(len(shares), len(shares))
     return Levels(levels, name=base.name, frame=base.frame)
 
@@ -105,17 +111,8 @@ def _level(base: Base, surface: Surface, share: float, target: int) -> Level | N
     count = len(surface.faces)
     if not count:
         return None
-    is_near = abs(count - target) <= max(target * _NOTED_MISS, 2)
+    is_near = abs(count - target) <= max(target * _NOTE_TOLERANCE, 2)
     note = "" if is_near else f"{count:,} triangles instead of {target:,}"
     scene = base.scene_of(surface)
     error, mean = deviation((base.scene, base.surface), (scene, surface))
     return Level(scene=scene, ratio=share, error=error, mean_error=mean, note=note)
-
-
-def _append(levels: list[Level], level: Level | None, share: float) -> None:
-    last = levels[-1]
-    if level is not None and level.triangle_count < last.triangle_count:
-        levels.append(level)
-        return
-    reason = f"ratio {share:g} can't be reached"
-    levels[-1] = replace(last, note=f"{last.note}; {reason}" if last.note else reason)

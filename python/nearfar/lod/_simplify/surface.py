@@ -26,8 +26,8 @@ Normals = Literal["keep", "smooth", "flat"]
 ATTRIBUTES = ("uvs", "colors", "normals")
 """Attributes of vertices."""
 
-_OF_ITS_INSTANCE = -1
-"""Object number of a mesh whose instance has the object number."""
+_NUMBERED_BY_INSTANCE = -1
+"""Object number of a mesh whose faces belong to the object of the mesh's instance."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,7 +39,7 @@ class Surface:
     faces: NDArray[np.uint32]
     """(F, 3)."""
     materials: NDArray[np.int32]
-    """Material of each face (F,), of the scene's materials."""
+    """Index of each face's material (F,) among the scene's materials."""
     attributes: dict[str, Array] = field(default_factory=dict)
     """Attributes (V, 2) uvs, (V, 4) colors, (V, 3) normals, as far as present."""
 
@@ -105,7 +105,7 @@ class Base:
         mesh = _core.Mesh(
             surface.positions,
             surface.faces,
-            objects=_OF_ITS_INSTANCE,
+            objects=_NUMBERED_BY_INSTANCE,
             materials=surface.materials,
             **surface.attributes,
         )
