@@ -1,4 +1,4 @@
-//! Distance rule, from which distance a level's pixels are fine enough, and the lift of viewing directions.
+//! Distance rule, which gives the distance from which a level's pixels are fine enough; and the lift of directions.
 
 use glam::DVec3;
 
@@ -17,10 +17,11 @@ pub struct Gaze {
     pub limit: f64,
 }
 
-/// Distance rule of levels: a level's pixels are fine enough from its `start` on.
+/// Distance rule of levels: a level's pixels are fine enough at distances of at least its `start`.
 ///
-/// Distances are *apparent*: the distance from the eye divided by the factor by which acuity shrinks lengths away from
-/// the gaze. For parallel rays, whose pixel width does not depend on distance, all of them are 1.
+/// Distances are *apparent*: they grow with the angle from the gaze, because acuity falls. An apparent distance is the
+/// distance from the eye divided by `Acuity::scale`. The pixel width of parallel rays does not depend on distance, so
+/// their apparent distances are all 1.
 #[derive(Clone, Copy, Debug)]
 pub struct Rule {
     eye: DVec3,
@@ -74,8 +75,8 @@ impl Rule {
         (self.eye - self.eye.clamp(corner, corner + side)).length()
     }
 
-    /// Returns bounds of the apparent distances of a cube's points. Angles from the gaze are those of its bounding
-    /// sphere.
+    /// Returns bounds of the apparent distances of a cube's points. The cube's bounding sphere bounds their angles from
+    /// the gaze.
     pub fn bounds(&self, corner: DVec3, side: f64) -> [f64; 2] {
         if self.is_parallel {
             return [1.0; 2];

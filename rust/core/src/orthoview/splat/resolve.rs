@@ -18,7 +18,7 @@ pub(super) struct Resolver<'a> {
     directions: [Vec3; 3],
 }
 
-/// Cache of the last splat: neighbouring samples often show the same.
+/// Cache of the last splat, which neighbouring samples often show, too.
 #[derive(Clone, Copy)]
 struct Last {
     number: u32,
@@ -29,8 +29,8 @@ struct Last {
     view: usize,
 }
 
-/// Returns whether a normal points away from the viewer along a ray: a cell's side cuts surfaces open, and views see
-/// their insides, whose outsides belong to the next cell.
+/// Returns whether a normal points away from the viewer of a ray. Views can show insides, because a cell's side cuts
+/// closed surfaces open.
 fn faces_away(normal: Vec3, direction: Vec3) -> bool {
     normal.dot(direction) > 0.0
 }
@@ -84,7 +84,7 @@ impl<'a> Resolver<'a> {
             if channels.any_sampled() {
                 for (row, column) in (0..grid).flat_map(|row| (0..grid).map(move |column| (row, column))) {
                     let sample = (x * grid + column, y * grid + row);
-                    let (sample_color, covered) = self.sampled(screen.key(sample.0, sample.1), sample, &mut last);
+                    let (sample_color, covered) = self.sample_color(screen.key(sample.0, sample.1), sample, &mut last);
                     (0..3).for_each(|i| color[i] += sample_color[i]);
                     coverage += covered;
                 }
@@ -104,7 +104,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// Returns colour and coverage of a sample.
-    fn sampled(&self, key: Key, (x, y): (i32, i32), last: &mut Last) -> ([f32; 3], f32) {
+    fn sample_color(&self, key: Key, (x, y): (i32, i32), last: &mut Last) -> ([f32; 3], f32) {
         let number = key.number();
         if number == BEFORE {
             return match self.prepared.picture.before {
@@ -137,7 +137,7 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// Returns the channels of the centre of a pixel.
+    /// Returns the channels at the centre of a pixel.
     pub fn sample(&self, key: Key, (x, y): (i32, i32)) -> Sample {
         let number = key.number();
         if number == BEFORE {

@@ -11,8 +11,8 @@ use crate::render::temporal::cubic;
 /// Key of a pixel without a surface.
 const NOTHING: u64 = u64::MAX;
 
-/// Averages a picture over the `poses` of cameras of its size. Each pixel is the mean over the poses that show
-/// something there; without any it keeps its colour.
+/// Averages a picture over the `poses` of cameras of its size. A pixel becomes the mean over the poses that show
+/// something there, and keeps its colour if none does.
 ///
 /// Forward warping: each pixel of the picture is drawn where a pose shows its surface, and the nearest surface wins.
 pub fn blur(image: &Image<'_>, poses: &[&Camera], blurred: &mut [Color], progress: &Progress) -> Result<()> {
@@ -49,8 +49,8 @@ fn warp(image: &Image<'_>, pose: &Camera) -> Vec<Option<Color>> {
         let place = image_position(projector.homogeneous(offset, inverse))?;
         Some((place, (projector.distance_of(offset) / inverse) as f32))
     };
-    // Key: distance in the upper half, pixel number in the lower; the smallest key is the nearest surface, the first
-    // of equal ones.
+    // Key: distance in the upper half, pixel number in the lower. The smallest key wins: the nearest surface, and the
+    // first of equally near ones.
     let mut nearest = vec![NOTHING; width * height];
     for pixel in 0..width * height {
         if let Some((place, distance)) = show(pixel) {
@@ -65,7 +65,7 @@ fn warp(image: &Image<'_>, pose: &Camera) -> Vec<Option<Color>> {
     let color = |(target, key): (usize, u64)| {
         let pixel = (key & u64::from(u32::MAX)) as usize;
         let (place, _) = (key != NOTHING).then(|| show(pixel)).flatten()?;
-        // The surface is shown beside the pixel's centre, so the centre shows a point offset to the other side.
+        // The warped point misses the centre of its target pixel; the source is offset by as much.
         let offset = [(target % width) as f64 + 0.5 - place.x, (target / width) as f64 + 0.5 - place.y];
         let source = [(pixel % width) as f64 + 0.5 + offset[0], (pixel / width) as f64 + 0.5 + offset[1]];
         Some(cubic(image.color, width, source).map(|value| value.max(0.0)))
