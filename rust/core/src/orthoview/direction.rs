@@ -19,7 +19,7 @@ pub struct Frame {
     pub toward: IVec3,
 }
 
-/// Returns the sum of a vector's absolute coordinates: a unit cube's extent along the vector, times the vector's length.
+/// Returns the sum of a vector's absolute coordinates: a unit cube's extent along it, times the vector's length.
 fn extent(axis: IVec3) -> i32 {
     axis.abs().element_sum()
 }

@@ -133,7 +133,7 @@ struct Lines<'a> {
 }
 
 impl<'a> Lines<'a> {
-    /// Creates the lines of one camera's direction; `directions` are those of all views. The scene must have been built.
+    /// Creates the lines of one camera; `directions` are those of all views. The scene must have been built.
     fn new(scene: &'a Scene, cell: &Cell, ortho: &'a OrthoCamera, directions: &[Direction]) -> Result<Self> {
         let (toward, all) = (-ortho.direction(), directions.iter().map(|direction| direction.frame().axes()[2]));
         let others = all.clone().filter(|other| toward.dot(*other) > -1e-9 && toward.dot(*other) < SAME_DIRECTION);

@@ -22,8 +22,8 @@ pub struct Format {
 const MAX_SIZE: usize = 4096;
 
 impl Format {
-    /// Creates a format. The number of steps is the largest multiple of 6 that `depth_bits` bits can code: then children
-    /// lie on whole steps of their parents' ranges.
+    /// Creates a format. The number of steps is the largest multiple of 6 that `depth_bits` bits can code: then
+    /// children lie on whole steps of their parents' ranges.
     pub fn new(size: usize, depth_bits: u32, normal_bits: u32) -> Result<Self> {
         let is_valid = size.is_multiple_of(4) && (1..=MAX_SIZE).contains(&size);
         ensure!(is_valid, "size", format!("a multiple of 4, at most {MAX_SIZE}"), size);
@@ -106,8 +106,7 @@ impl Views {
         [Some(&self.views), self.behind.as_ref()].into_iter().flatten().map(move |views| &views[number])
     }
 
-    /// Returns the second layer: views of the nearest surfaces more than a gap behind the first. `None` if it is
-    /// empty.
+    /// Returns the second layer: views of the nearest surfaces more than a gap behind the first. `None` if it is empty.
     pub fn second_layer(&self) -> Option<Self> {
         let views = self.behind.clone()?;
         Some(Self { directions: self.directions.clone(), format: self.format, views, behind: None })

@@ -87,8 +87,8 @@ impl Cells {
         (level / self.grid.subtree, place >> bits)
     }
 
-    /// Returns the bit mask of the directions from which a cell has a view, 0 for an empty cell, `UNBUILT` or `PARTIAL`;
-    /// `None` if its subtree has not been added.
+    /// Returns the bit mask of the directions from which a cell has a view, 0 for an empty cell, `UNBUILT` or
+    /// `PARTIAL`; `None` if its subtree has not been added.
     pub fn get(&self, level: u32, place: UVec3) -> Option<u32> {
         let key = self.subtree_of(level, place);
         let levels = self.subtrees.get(&key)?;

@@ -159,8 +159,8 @@ impl Traversal<'_> {
         }
     }
 
-    /// Visits the children of a cell and, if the cell is partial, draws it. If the children are unknown, draws the whole
-    /// cell instead.
+    /// Visits the children of a cell and, if the cell is partial, draws it. If the children are unknown, draws the
+    /// whole cell instead.
     fn refine(&mut self, drawn: Drawn, center: DVec3, mask: u32, position: Position) {
         let level = drawn.level - 1;
         let children: [(UVec3, Option<u32>); 8] = std::array::from_fn(|n| {

@@ -30,7 +30,7 @@ pub const BORDER: f32 = 1.27;
 const ALL_NEIGHBOURS: u8 = 8;
 
 /// Minimum cosine between a surfel's normal and the direction of its view. Pixels of steeper surfaces are not connected
-/// (`connect`), so only normals averaged across edges are steeper. Without the minimum their surfels would be very long.
+/// (`connect`), so only normals averaged across edges are steeper. The minimum bounds the length of their surfels.
 pub const MIN_COSINE: f32 = 0.25;
 
 /// A part of a view: pixels from `low` to `high` (columns, rows, depth steps; `high` is exclusive).
@@ -262,8 +262,8 @@ impl Splats {
         [in_plane(pitch.x), in_plane(pitch.y), slope.max(ball) / pitch.z]
     }
 
-    /// Returns the position at a column, a row and a number of depth steps, which may be fractional. Integer columns and
-    /// rows are corners of pixels; 0 steps is the front of the cell's extent.
+    /// Returns the position at a column, a row and a number of depth steps, which may be fractional. Integer columns
+    /// and rows are corners of pixels; 0 steps is the front of the cell's extent.
     pub(super) fn place(&self, column: f64, row: f64, depth: f64) -> DVec3 {
         let [right, up, toward] = self.frame.axes();
         let (pitch, half) = (self.pitch(), self.extents / 2.0);

@@ -75,8 +75,8 @@ pub struct Fade {
 }
 
 impl Fade {
-    /// Returns the exponent at a speed, pixels per picture. The exponent also limits the parallax in pixels at which two
-    /// surfaces count as one, so the afterimage of a moving surface trails it by at most a pixel.
+    /// Returns the exponent at a speed, pixels per picture. The exponent also limits the parallax in pixels at which
+    /// two surfaces count as one, so the afterimage of a moving surface trails it by at most a pixel.
     fn exponent(&self, speed: f64) -> f64 {
         self.still + (self.moving - self.still) * (speed / MOVING).min(1.0)
     }
