@@ -120,7 +120,7 @@ impl Surfaces for ByTriangles<'_> {
                 return None;
             }
             let facet = match last {
-                Some(facet) if facet.holds(&hit) => facet,
+                Some(facet) if facet.contains(&hit) => facet,
                 _ => *last.insert(Facet::new(scene, hit.instance, hit.face)),
             };
             let sample = facet.surface((hit.u, hit.v), direction).sample(scene, hit.t, || width, channels());
