@@ -196,8 +196,7 @@ impl Ruler {
         mixed
     }
 
-    /// Returns a point's outcode (Cohen and Sutherland): a bit for each side of the square around r₂ that it lies
-    /// beyond.
+    /// Returns a bit for each side of the square around r₂ that a point lies beyond (Cohen and Sutherland's outcode).
     #[inline(always)]
     fn outcode(&self, [x, _, z]: &[f32; 3]) -> u8 {
         u8::from(*x < self.low[0])

@@ -337,7 +337,7 @@ mod tests {
                 region((point - DVec3::from(below)).into(), (point + DVec3::from(above)).into())
             };
             prop_assert!(around(below, above).touches(corners));
-                // A point beside the triangle along its normal.
+            // A point beside the triangle along its normal.
             let normal = (b - a).cross(c - a);
             if normal.length() > 1e-3 {
                 let off = point + normal.normalize() * 1e-6;

@@ -67,8 +67,7 @@ impl Views {
         }
     }
 
-    /// Returns whether an item lies between the sides of each eye's view; `overlaps` returns whether it reaches into
-    /// some half-spaces.
+    /// Returns whether an item lies between the sides of each eye's view; `overlaps` tests it against half-spaces.
     fn is_in_eyes(&self, overlaps: impl Fn(&[DVec4]) -> bool) -> [bool; 2] {
         self.eyes.each_ref().map(|sides| overlaps(sides))
     }

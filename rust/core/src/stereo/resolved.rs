@@ -41,8 +41,7 @@ struct Resolver<'a> {
 
 impl Rig {
     /// Adds the third camera's view behind an eye's own picture, with `samples` positions per pixel. If a ray hits none
-    /// of the four pixels' faces, the colour is the sky's if one of the pixels shows the sky, and interpolated
-    /// otherwise.
+    /// of the four pixels' faces, its colour is the sky's if one of them shows the sky, and interpolated otherwise.
     pub fn resolve(
         &self,
         side: Side,

@@ -37,8 +37,7 @@ pub(super) struct BlendRule {
     max_edge: f64,
     /// Length below which edges are not halved, metres.
     min_edge: f64,
-    /// Metres by which points of a triangle outside r₁ may lie inside it, and vertices of a triangle inside r₁ outside
-    /// it.
+    /// Metres by which points of a triangle outside r₁ may lie inside r₁, and vertices of one inside r₁ outside it.
     passing_r1: f64,
     missing_r1: f64,
     /// Metres by which points and vertices of a triangle beyond r₂ may lie inside it.

@@ -180,8 +180,7 @@ mod tests {
     }
 
     proptest! {
-        /// Points of a small grid, so that many are collinear or at one place: the tree finds the points that a search
-        /// of all of them finds.
+        /// Compares the tree with a search of all points, which lie on a small grid so that many are collinear or equal.
         #[test]
         fn the_tree_finds_all_points_on_an_edge(
             places in proptest::collection::vec((-6..6i8, -6..6i8), 2..80),
