@@ -5,8 +5,7 @@ use super::extremes::{Extremes, LANES};
 use super::plane::Pixel;
 use crate::base::simd::vectorized;
 
-/// Lanes of the kernel that also finds extremes: its last block overlaps the previous one, and narrow blocks overlap
-/// less.
+/// Lanes of the kernel that also finds extremes. Few, because its last block overlaps the previous one.
 pub(super) const EXTREME_LANES: usize = LANES / 2;
 
 /// Pixel types with row kernels.

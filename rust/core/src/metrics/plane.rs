@@ -17,8 +17,7 @@ pub trait Pixel: Copy + PartialOrd + Send + Sync {
 /// Limits within which a precision keeps the digits of similarity.
 pub trait RoundingLimits: Real {
     /// Maximum error of either factor of the measure, in roundings of a pixel minus its level: 1e-6 in float32 and
-    /// 5e-13 in float64. It is that small because all windows of a uniform area are rounded alike, which shifts the
-    /// mean.
+    /// 5e-13 in float64. All windows of a uniform area are rounded alike, which shifts the mean.
     const MAX_CHANGE: f64;
     /// Maximum distance of a window from the level, in units of √c₁ or √c₂.
     const MAX_DISTANCE: f64;

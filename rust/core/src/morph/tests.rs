@@ -80,8 +80,7 @@ proptest! {
         morph.apply_all(&single, &mut shown_single, &Progress::new()).unwrap();
         for i in 0..points.len() {
             let exact = morph.apply(DVec3::from_array(points[i]));
-            // The error of w grows by 50, more for exits in steep directions or near the cylinder of the user's own
-            // radius.
+            // The error of w grows by 50, more for steep exits or near the cylinder of the user's own radius.
             prop_assert!((DVec3::from_array(shown[i]) - exact).length() < 1e-8 * (1.0 + exact.length()));
             let exact = morph.apply(DVec3::from_array(single[i].map(f64::from)));
             let single = DVec3::from_array(shown_single[i].map(f64::from));

@@ -35,8 +35,7 @@ impl Cell {
         MARGIN * f64::from(f32::EPSILON) * low.abs().max(high.abs()).max_element()
     }
 
-    /// Returns the minimum and maximum corner of the cell, grown by the margin so that surfaces on its sides count;
-    /// world positions.
+    /// Returns the corners of the cell, grown by the margin so that surfaces on its sides count; world positions.
     pub fn bounds_with_margin(&self, origin: DVec3) -> (DVec3, DVec3) {
         let margin = self.margin(origin);
         (self.corner - margin, self.corner + self.side + margin)

@@ -144,8 +144,7 @@ impl<'a> Lines<'a> {
         Ok(Self { scene, ortho, limits, margin: cell.margin(scene.origin), lines })
     }
 
-    /// Returns whether a pixel's surface is visible along a line that it faces. `step` is the length of a depth step,
-    /// metres.
+    /// Returns whether a pixel's surface is visible along a line that it faces. `step` is a depth step, metres.
     fn sees(&self, pixel: usize, sample: &Sample, step: f32) -> bool {
         let point = self.ortho.point_of_pixel(pixel, f64::from(sample.depth * step)) - self.scene.origin;
         let normal = sample.normal.as_dvec3();

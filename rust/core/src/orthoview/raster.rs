@@ -170,8 +170,7 @@ impl EdgeInRow {
     }
 }
 
-/// Returns the columns in which all edge functions may be positive, with a spare pixel at either end, because the
-/// division rounds.
+/// Returns the columns in which all edge functions may be positive, and one more at either end due to rounding.
 fn span(edges: &[EdgeInRow; 3], columns: &Range<usize>) -> Range<usize> {
     let (mut first, mut end) = (columns.start, columns.end);
     for edge in edges.iter().filter(|edge| edge.step != 0.0) {

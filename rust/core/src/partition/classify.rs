@@ -1,5 +1,4 @@
-//! Zones of triangles, classes of instances, and the named sets of a partition. Instances are classified by their
-//! boxes.
+//! Zones of triangles, classes of instances by their boxes, and the named sets of a partition.
 
 use rayon::prelude::*;
 
@@ -132,7 +131,7 @@ impl Ruler {
     /// Returns the class of an instance, from its box if that suffices, otherwise from its triangles.
     pub fn classify(&self, instance: &Instance, progress: &Progress) -> Result<Class> {
         let Some(class) = self.class_of_box(&secure_bounds(instance)) else {
-            return self.mixed(instance, progress).map(Class::Mixed);
+            return self.face_zones(instance, progress).map(Class::Mixed);
         };
         progress.report(instance.mesh.faces.len() as u64)?;
         Ok(class)
@@ -155,7 +154,8 @@ impl Ruler {
         }
     }
 
-    fn mixed(&self, instance: &Instance, progress: &Progress) -> Result<Mixed> {
+    /// Returns the zones of an instance's faces that are not far.
+    fn face_zones(&self, instance: &Instance, progress: &Progress) -> Result<Mixed> {
         let mesh = &instance.mesh;
         // One byte per vertex, so that faces need not load coordinates.
         let positions: &[[f32; 3]] = if instance.in_place { &mesh.positions } else { &[] };

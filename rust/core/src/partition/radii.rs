@@ -19,8 +19,7 @@ pub(super) const BLOCK: usize = 64;
 /// Determinant, relative to its terms, above which its sign is certain. Each term has three roundings of 2⁻⁵³.
 const CERTAIN: f64 = 1.0 / (1u64 << 50) as f64;
 
-/// Ground coordinates of a block of triangles: `corners[2 k][i]` is x and `corners[2 k + 1][i]` is z of corner k of
-/// triangle i.
+/// Ground coordinates of triangles: `corners[2 k][i]` is x and `corners[2 k + 1][i]` is z of corner k of triangle i.
 type Corners<T> = [[T; BLOCK]; 6];
 
 vectorized! {
@@ -94,8 +93,7 @@ fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
     a[0] * b[0] + a[1] * b[1]
 }
 
-/// Returns (x, z) of the vertical axis through a centre, relative to the scene's origin. Fails for a centre that is not
-/// finite.
+/// Returns (x, z) of the vertical axis through a centre, relative to the scene's origin. Fails unless it is finite.
 pub(super) fn axis_in(scene: &Scene, center: DVec3) -> Result<[f64; 2]> {
     ensure!(center.is_finite(), "center", "three finite numbers", center);
     let local = center - scene.origin;

@@ -176,8 +176,7 @@ mod tests {
 
     #[test]
     fn ground_overlaps_by_its_footprint_and_no_more() {
-        // Ground 1.7 m below the centre: at ρ = 10 m a texel of 1/128 covers 0.47 m of ground, so the overlap is about
-        // 0.9 m.
+        // Ground 1.7 m below: at ρ = 10 m a texel of 1/128 covers 0.47 m of it, so the overlap is about 0.9 m.
         let far = 1000.0;
         let ground = [[-far, -1.7, -far], [-far, -1.7, far], [far, -1.7, far], [far, -1.7, -far]];
         let size = 256;
@@ -190,8 +189,7 @@ mod tests {
             let rho = expected * d.x.hypot(d.z);
             let range_found = f64::from(range[texel as usize]);
             if d.y < 0.0 && rho > 10.0 {
-                // Sheared corners 1,400 m away are rounded by 6e-8 of that: 5e-5 of the 1.7 m by which the ray
-                // descends.
+                // Sheared corners 1,400 m away are rounded by 6e-8 of that: 5e-5 of the 1.7 m of the descent.
                 assert!((range_found - expected).abs() < 1e-4 * expected, "{d} {range_found} {expected}");
             } else if range_found.is_finite() {
                 min_rho = min_rho.min(rho);

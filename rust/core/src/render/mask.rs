@@ -13,8 +13,7 @@ const MAX_READ_BLOCKS: usize = 4;
 /// Rows of blocks per task.
 const TASK_ROWS: usize = 32;
 
-/// Flags of blocks of pixels. Blocks of each level are twice as wide as those of the previous one, up to a single
-/// block.
+/// Flags of blocks of pixels. Blocks of each level are twice as wide as those before, up to a single block.
 #[derive(Clone, Debug)]
 pub struct MaskPyramid {
     size: (usize, usize),

@@ -211,8 +211,7 @@ fn block_size(samples: usize) -> [usize; 2] {
     block
 }
 
-/// Returns rows and columns of a block's pixels, ordered by squares of 2 × 2 pixels, so that a group of rays has
-/// neighbours.
+/// Returns rows and columns of a block's pixels, by squares of 2 × 2 pixels, so that groups of rays are compact.
 fn pixel_order([high, wide]: [usize; 2]) -> Vec<[usize; 2]> {
     let mut pixels: Vec<_> = (0..high).flat_map(|row| (0..wide).map(move |column| [row, column])).collect();
     pixels.sort_by_key(|[row, column]| [row / 2, column / 2, *row, *column]);

@@ -69,8 +69,7 @@ impl Moving<'_> {
         Some(self.box_around(x, y, growth).clamp(cubic(history, width, position)))
     }
 
-    /// Returns the pixel of the nearest surface in the 3 × 3 square, so that both sides of an edge follow the
-    /// foreground.
+    /// Returns the pixel of the nearest of 3 × 3 surfaces, so that both sides of an edge follow the foreground.
     fn nearest_around(&self, x: usize, y: usize) -> usize {
         let nearer = |a: usize, b: usize| if self.range[b] < self.range[a] { b } else { a };
         self.neighbourhood(x, y).fold(y * self.width + x, nearer)

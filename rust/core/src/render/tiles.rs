@@ -32,8 +32,7 @@ pub trait Picture: Sync {
     /// Adds the linear RGB of a tile's traced rays, hits or misses, to their sums.
     fn add_colors(&self, rays: &[Ray], hits: &[Hit], footprint: impl Fn(usize) -> Footprint, sums: &mut [[f32; 3]]);
 
-    /// Returns the other channels of a traced ray, hit or miss; channels that are not requested may keep their
-    /// defaults.
+    /// Returns the other channels of a traced ray, hit or miss. Channels that are not requested may keep defaults.
     fn sample(&self, ray: &Ray, hit: &Hit, footprint: impl FnOnce() -> Footprint, channels: Channels) -> Sample;
 }
 

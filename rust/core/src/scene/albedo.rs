@@ -77,8 +77,7 @@ impl Scene {
         albedo
     }
 
-    /// Returns the linear RGB that a material emits at a spot: factor × texture. Not inlined, to keep materials without
-    /// emission fast.
+    /// Returns the linear RGB emission at a spot: factor × texture. Not inlined, to keep other materials fast.
     #[inline(never)]
     pub fn emission(&self, material: &Material, spot: &Spot<'_>) -> [f32; 3] {
         let color = self.texture_color(material.emission_texture, spot, false).unwrap_or([1.0; 3]);

@@ -1,5 +1,4 @@
-//! Derived scenes: more objects move, or only some triangles remain. Unchanged meshes, their trees and textures are
-//! shared.
+//! Derived scenes with more moving objects or fewer triangles. Unchanged meshes, their trees and textures are shared.
 
 use std::sync::Arc;
 
@@ -179,8 +178,7 @@ mod tests {
     use super::*;
     use crate::scene::Material;
 
-    /// A row of triangles along x, one for each entry of `objects`, and an instance of the first triangle at a greater
-    /// height.
+    /// A row of triangles along x, one for each entry of `objects`, and a higher instance of the first triangle.
     fn row(objects: &[i32]) -> Scene {
         let corners = |i: usize| [[i as f32, 0.0, 0.0], [i as f32 + 0.5, 0.0, 0.0], [i as f32, 0.5, 0.0]];
         let triangles: Vec<_> = (0..objects.len()).map(corners).collect();

@@ -94,8 +94,7 @@ impl Mesh {
         Self { normals, ..self }
     }
 
-    /// Returns a mesh of the vertices `used` of this mesh and faces that number them from 0. Each vertex must have a
-    /// face.
+    /// Returns a mesh of the vertices `used` of this mesh, each of which has a face, and faces that number them from 0.
     pub(super) fn with_vertices(
         &self,
         used: &[u32],

@@ -39,8 +39,7 @@ pub(super) fn place_normals(
 }
 
 impl Instance {
-    /// Returns the unit normals of a face's placed corners, zero for a vertex without one; `None` if the mesh has no
-    /// normals.
+    /// Returns the unit normals of a face's placed corners, or zero if missing; `None` if the mesh has no normals.
     #[inline]
     pub fn corner_normals(&self, face: u32) -> Option<[Vec3; 3]> {
         let normals = self.mesh.corner_values(face, &self.mesh.normals)?;

@@ -105,8 +105,7 @@ impl Texture {
         self.mips[usize::from(cutout)].get_or_init(|| self.build(cutout))
     }
 
-    /// Builds the coarser levels that do not exist yet, with `has_cutouts` those of both kinds. Fails if memory does
-    /// not suffice.
+    /// Builds missing coarser levels, with `has_cutouts` those of both kinds. Fails if memory does not suffice.
     pub(super) fn build_coarser(&self, has_cutouts: bool, progress: &Progress) -> Result<()> {
         for cutout in [false, true].into_iter().take(1 + usize::from(has_cutouts)) {
             if self.mips[usize::from(cutout)].get().is_none() {

@@ -374,8 +374,7 @@ fn join_continued_line(line: &[u8]) -> Vec<u8> {
     line.iter().enumerate().map(|(index, &byte)| if ends(index) { b' ' } else { byte }).collect()
 }
 
-/// Returns the end of the logical line that begins at `start`, without its line feed, and the number of text lines in
-/// it.
+/// Returns the end of the logical line that begins at `start`, without line feed, and its number of text lines.
 fn logical_end(text: &[u8], start: usize) -> (usize, u64) {
     let (mut line_start, mut lines) = (start, 1);
     loop {

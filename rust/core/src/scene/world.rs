@@ -132,8 +132,7 @@ impl Scene {
         if progress.watches_memory() { self.build_levels(progress) } else { Ok(()) }
     }
 
-    /// Builds the missing coarser levels of the materials' textures one after the other. Fails if memory does not
-    /// suffice.
+    /// Builds missing coarser levels of the materials' textures in sequence. Fails if memory does not suffice.
     pub fn build_levels(&self, progress: &Progress) -> Result<()> {
         let has_cutouts = self.has_cutouts();
         for number in self.materials.iter().flat_map(Material::textures) {

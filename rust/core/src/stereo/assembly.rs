@@ -38,7 +38,7 @@ const TAP_DISTANCE: usize = 2;
 impl EyeMap<'_> {
     /// Returns the third camera's position for position (x, y) of the eye's picture, pixels.
     #[inline]
-    pub fn place(&self, x: f64, y: f64) -> DVec2 {
+    pub fn lookup_position(&self, x: f64, y: f64) -> DVec2 {
         let mapped = self.to_center.x_axis * x + self.to_center.y_axis * y + self.to_center.z_axis;
         mapped.truncate() / mapped.z
     }
@@ -149,7 +149,7 @@ impl Rig {
         let map = self.eye_map(side, coverage)?;
         self.check_shared("center", center.len())?;
         self.add_behind(coverage, color, progress, |column, row| {
-            let taps = map.taps(map.place(column as f64 + 0.5, row as f64 + 0.5));
+            let taps = map.taps(map.lookup_position(column as f64 + 0.5, row as f64 + 0.5));
             map.mix(column, row, &taps, center)
         })
     }
@@ -181,7 +181,7 @@ impl Rig {
         let map = self.eye_map(side, coverage)?;
         numbers.par_chunks_mut(self.size.0 as usize).enumerate().try_for_each(|(row, numbers)| {
             for (column, number) in numbers.iter_mut().enumerate() {
-                let taps = map.taps(map.place(column as f64 + 0.5, row as f64 + 0.5));
+                let taps = map.taps(map.lookup_position(column as f64 + 0.5, row as f64 + 0.5));
                 let weights = map.uncovered_weights(column, row, &taps).unwrap_or_else(|| taps.weights());
                 let heaviest = (1..4).fold(0, |heaviest, k| if weights[k] > weights[heaviest] { k } else { heaviest });
                 *number = taps.pixels[heaviest] as u32;

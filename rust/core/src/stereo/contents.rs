@@ -134,7 +134,7 @@ impl Rig {
             for (corner, depth) in corners(&fov).into_iter().flat_map(|c| [(c, head.near), (c, end)]) {
                 let direction = eye.orientation * corner.extend(-1.0);
                 let distance = (depth + eye.position.z) / -direction.z;
-                region.extend(axes.place(self.middle + eye.position + direction * distance).as_vec3());
+                region.extend(axes.to_scene(self.middle + eye.position + direction * distance).as_vec3());
             }
         }
         region

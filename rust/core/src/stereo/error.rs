@@ -74,8 +74,7 @@ impl Rig {
         (u + (first - u).powi(2) / (2.0 * (first - last))).recip()
     }
 
-    /// Returns the point at depth d on the line from the third camera through a point; both relative to the middle,
-    /// head axes.
+    /// Returns the point at depth d on the third camera's line through a point; relative to the middle, head axes.
     pub(super) fn place_shown(&self, point: DVec3, d: f64) -> DVec3 {
         let s = self.setback;
         (point.truncate() * ((d + s) / (s - point.z))).extend(-d)

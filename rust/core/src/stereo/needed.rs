@@ -59,7 +59,7 @@ impl Rig {
             map.coverage.par_chunks(map.eye.0).enumerate().try_for_each(|(row, coverage)| {
                 for (column, _) in coverage.iter().enumerate().filter(|(_, covered)| **covered < 1.0) {
                     for [x, y] in &offsets {
-                        let taps = map.taps(map.place(column as f64 + x, row as f64 + y));
+                        let taps = map.taps(map.lookup_position(column as f64 + x, row as f64 + y));
                         taps.pixels.iter().for_each(|&pixel| mask[pixel].store(true, Ordering::Relaxed));
                     }
                 }
@@ -87,9 +87,10 @@ impl EyeMap<'_> {
 
     fn lines(&self) -> Vec<Line> {
         let line = |(row, coverage): (usize, &[f32])| {
-            let y = self.place(0.5, row as f64 + 0.5).y;
+            let y = self.lookup_position(0.5, row as f64 + 0.5).y;
             let columns = |run: Range<usize>| {
-                let [from, to] = [run.start, run.end - 1].map(|x| self.place(x as f64 + 0.5, row as f64 + 0.5).x);
+                let [from, to] =
+                    [run.start, run.end - 1].map(|x| self.lookup_position(x as f64 + 0.5, row as f64 + 0.5).x);
                 pixels_around(from, to, self.size.0)
             };
             Line {

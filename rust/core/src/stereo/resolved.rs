@@ -64,7 +64,7 @@ impl Rig {
         self.add_behind(coverage, color, progress, |column, row| {
             let mut sum = [0.0; 3];
             for [x, y] in &offsets {
-                let position = map.place(column as f64 + x, row as f64 + y);
+                let position = map.lookup_position(column as f64 + x, row as f64 + y);
                 let taps = map.taps(position);
                 let color = resolver.color(&taps, position).unwrap_or_else(|| map.mix(column, row, &taps, far.color));
                 (0..3).for_each(|i| sum[i] += sample_weight * color[i]);

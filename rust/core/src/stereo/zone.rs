@@ -88,7 +88,7 @@ impl Zone<'_> {
     /// Returns the k-th corner of a ray, relative to the scene's origin.
     fn corner(&self, ray: &Ray, k: usize) -> Vec3 {
         let direction = self.axes.to_head(ray.direction.as_dvec3());
-        self.axes.place(self.rig.middle + self.rig.point_shown(self.side, direction, self.depths[k])).as_vec3()
+        self.axes.to_scene(self.rig.middle + self.rig.point_shown(self.side, direction, self.depths[k])).as_vec3()
     }
 
     /// Returns whether anything may lie near the legs of some rays between two corners, where legs deviate by no more

@@ -132,7 +132,7 @@ impl BlendRule {
         {
             return Some(fraction);
         }
-        // Of the boundaries between equal parts, the one nearest to the middle is chosen.
+        // Splits at the boundary between equal parts that is nearest to the middle.
         let parts = self.parts(p, q, a.y - b.y, nearest);
         (parts >= 2.0).then(|| (parts / 2.0).floor() / parts)
     }

@@ -36,8 +36,7 @@ pub(super) struct Form {
 pub(super) const MIN_CLEARANCE: f64 = 0.4;
 /// Maximum second derivative of X/|X|, multiplied by |X|²: 2/√3.
 const SECOND_DERIVATIVE: f64 = 1.154_700_538_379_251_7;
-/// Factor for w outside 0..1, which w leaves by up to a hundredth where a triangle crosses a radius within the
-/// tolerance.
+/// Factor for w outside 0..1 by up to a hundredth, where a triangle crosses a radius within the tolerance.
 const BLEND_OVERSHOOT: f64 = 1.02;
 /// Weight s in c ℓ ≤ (s c² + ℓ²/s)/2, where c is an edge's component along the radius and ℓ its length. A larger s
 /// reduces the second term, which also counts for vertical edges.

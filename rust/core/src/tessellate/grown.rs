@@ -156,8 +156,7 @@ impl CylinderRule {
         self.region.measure(rho, min_distance.max(rho), edge.is_flat)
     }
 
-    /// Returns the distance from the axis beyond which edges may be longer, metres: all points of their triangles lie
-    /// beyond r₂.
+    /// Returns the distance from the axis beyond which edges may be longer: their triangles lie beyond r₂.
     fn far(&self) -> f64 {
         self.region.radii[1].max(self.min_rho) * (1.0 + MAX_FAR_LENGTH)
     }

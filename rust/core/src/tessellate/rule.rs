@@ -48,18 +48,15 @@ impl Rule {
         /// where points within r₁ move.
         pub(super) fn require_bound() -> Result<()>;
 
-        /// Returns the length up to which edges have an error below the tolerance wherever they lie, even across the
-        /// radii.
+        /// Returns the length below which edges anywhere, even across the radii, have an error below the tolerance.
         pub(super) fn harmless_length() -> f64;
 
         /// Returns where the edge from a to b is split. The caller must order the ends of an edge consistently.
         ///
-        /// If an edge is left whole, each part of it must be left whole, too; otherwise thin triangles would be split
-        /// for ever.
+        /// If an edge is left whole, each part of it must be, too; otherwise thin triangles would be split for ever.
         pub(super) fn cut(a: DVec3, b: DVec3) -> Option<Cut>;
 
-        /// Returns the point at which a triangle must be split, although none of its edges is, because it contains the
-        /// whole cylinder.
+        /// Returns where a triangle must be split, although none of its edges is, because it contains the cylinder.
         pub(super) fn inner_split_point(corners: &[DVec3; 3]) -> Option<[f64; 3]>;
 
         /// Returns the radius beyond which no edge is split.

@@ -12,8 +12,7 @@ use crate::base::Result;
 pub struct Piece {
     /// Positions of its corners.
     pub corners: [DVec3; 3],
-    /// Weights of the whole triangle's corners at each corner. One weight of exactly 0 marks an edge, two mark a
-    /// corner.
+    /// Weights of the whole triangle's corners at each corner. One weight of exactly 0 marks an edge, two a corner.
     pub weights: [[f64; 3]; 3],
 }
 

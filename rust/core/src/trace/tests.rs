@@ -64,8 +64,7 @@ fn bits(hit: &Hit) -> [u32; 5] {
     [hit.t.to_bits(), hit.u.to_bits(), hit.v.to_bits(), hit.instance, hit.face]
 }
 
-/// Traces in packets and one by one with every instruction set, asserts that all results have the same bits, and
-/// returns them.
+/// Traces in packets and one by one with every instruction set; asserts that all results have the same bits.
 fn trace_all_ways(scene: &Scene, rays: &[Ray], filter: &dyn HitFilter) -> Vec<Hit> {
     let mut expected = vec![Hit::MISS; rays.len()];
     for (ray, hit) in rays.iter().zip(&mut expected) {

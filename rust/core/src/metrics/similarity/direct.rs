@@ -127,10 +127,8 @@ fn block(patch: &Patch<'_>, from: usize) -> [[f64; 2]; LANES] {
         let (x, y) = (x_level[i] + x_mean[i], y_level[i] + y_mean[i]);
         let difference = (x_level[i] - y_level[i]) + (x_mean[i] - y_mean[i]);
         let means = [x * x + y * y + patch.constants[0], difference * difference];
-        let (similarity, contrast) = similarity_and_contrast(
-            means,
-            [variances[i] / total[i] + patch.constants[1], difference_variances[i] / total[i]],
-        );
+        let (similarity, contrast) =
+            ssim_factors(means, [variances[i] / total[i] + patch.constants[1], difference_variances[i] / total[i]]);
         factors[i] = [similarity, contrast];
     }
     factors
@@ -140,10 +138,7 @@ fn block(patch: &Patch<'_>, from: usize) -> [[f64; 2]; LANES] {
 /// Arguments: the sum of both squared means and c₁, the squared difference of the means, the sum of both variances and
 /// c₂, and the variance of the difference.
 #[inline(always)]
-pub(super) fn similarity_and_contrast(
-    [means, difference]: [f64; 2],
-    [variances, difference_variance]: [f64; 2],
-) -> (f64, f64) {
+pub(super) fn ssim_factors([means, difference]: [f64; 2], [variances, difference_variance]: [f64; 2]) -> (f64, f64) {
     let contrast = (variances - difference_variance) / variances;
     ((means - difference) / means * contrast, contrast)
 }

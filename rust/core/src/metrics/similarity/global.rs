@@ -6,7 +6,7 @@ use super::super::extremes::{Extremes, ValueRange};
 use super::super::pair::Pair;
 use super::super::pixel_rows::PixelRows;
 use super::super::plane::{Plane, Region};
-use super::direct::similarity_and_contrast;
+use super::direct::ssim_factors;
 use super::measure::power_sums;
 use super::window::{Mask, Selection, SimilaritySums};
 use crate::base::Real;
@@ -56,10 +56,8 @@ pub(super) fn global<P: PixelRows>(
     let mean_difference = (levels[0] - levels[1]) + d;
     let [s_variance, d_variance] = [ss - s * s, dd - d * d].map(|variance| variance.max(0.0));
     let variances = 0.5 * (s_variance + d_variance) + constants[1];
-    let (similarity, contrast) = similarity_and_contrast(
-        [x * x + y * y + constants[0], mean_difference * mean_difference],
-        [variances, d_variance],
-    );
+    let (similarity, contrast) =
+        ssim_factors([x * x + y * y + constants[0], mean_difference * mean_difference], [variances, d_variance]);
     if let Some(map) = map {
         map.fill(P::Real::narrow(similarity));
     }

@@ -80,8 +80,7 @@ pub struct WindowRow<R> {
 }
 
 vectorized! {
-    /// Computes the similarity of a row of windows; sums it and, if wanted, the contrast factor over the windows that
-    /// count.
+    /// Computes the similarity of a row of windows; sums it and, if wanted, the contrast factor of windows that count.
     pub(super) fn measure_row<R: RoundingLimits>(
         measure: &Measure<R>,
         s: &Moments<R>,

@@ -1,5 +1,4 @@
-//! Tests of similarity against its definition, window by window, and of both variants of each kernel against each
-//! other.
+//! Tests of similarity against its definition, and of the variants of each kernel against each other.
 
 use super::moments::{COLUMNS, Moments, row_moments, row_moments_kernel, window_moments, window_moments_kernel};
 use super::*;
@@ -21,8 +20,7 @@ fn images() -> impl Strategy<Value = (Vec<f64>, Vec<f64>, [usize; 2], usize, Vec
     })
 }
 
-/// Evaluates Eq. 13 at a pixel from the weights and values of the pixels around it; images are mirrored at their
-/// border.
+/// Evaluates Eq. 13 at a pixel from the weights and values around it; images are mirrored at their border.
 fn by_definition(
     [a, b]: [&[f64]; 2],
     [height, width]: [usize; 2],

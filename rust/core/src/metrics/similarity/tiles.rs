@@ -65,8 +65,7 @@ impl<'a, P: PixelRows> Windows<'a, P> {
         })
     }
 
-    /// Computes a tile in the pixels' own precision; if that loses digits, in float64; and if that does, window by
-    /// window.
+    /// Computes a tile in the pixels' own precision; if that loses digits, in float64, and else window by window.
     fn tile(
         &self,
         region: &Region,

@@ -75,8 +75,7 @@ impl Rule {
         (self.eye - self.eye.clamp(corner, corner + side)).length()
     }
 
-    /// Returns bounds of the apparent distances of a cube's points. The cube's bounding sphere bounds their angles from
-    /// the gaze.
+    /// Returns bounds of the apparent distances of a cube's points. Its sphere bounds their angles from the gaze.
     pub fn bounds(&self, corner: DVec3, side: f64) -> [f64; 2] {
         if self.is_parallel {
             return [1.0; 2];
@@ -113,8 +112,7 @@ impl Lift {
         Ok(Self { sine, cosine })
     }
 
-    /// Rotates a unit vector by the angle towards +y, at most to +y. A vector straight down stays, because it has no
-    /// azimuth.
+    /// Rotates a unit vector by the angle towards +y, at most to +y. A vector straight down has no azimuth and stays.
     pub fn raised(self, unit: DVec3) -> DVec3 {
         let horizontal = unit.x.hypot(unit.z);
         if self.sine == 0.0 || (horizontal < MIN_SINE && unit.y < 0.0) {

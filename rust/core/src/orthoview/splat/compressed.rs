@@ -222,8 +222,7 @@ mod tests {
         Some((texel, kind + differences[6]))
     }
 
-    /// Checks that blocks are restored, each given as masks (shown, surfels, inner) and texels; returns the number of
-    /// words.
+    /// Checks that blocks are restored, each masks (shown, surfels, inner) and texels; returns the number of words.
     fn check(masks_and_texels: &[(u64, u64, u64, Vec<Packed>)]) -> usize {
         let block = |(number, &(shown, surfels, inner, _)): (usize, &(u64, u64, u64, Vec<Packed>))| {
             let corner = [8 * number as u16, 16 * number as u16];

@@ -1,6 +1,6 @@
 //! Projection of all splats of a block together: positions, ellipses and nearness.
 
-use super::projector::{Projector, Rect, ViewProjection, ordered};
+use super::projector::{Projector, Rect, ViewProjection, sortable_bits};
 use super::splats::{BLOCK, BORDER, Block, MIN_COSINE, SQUARED_RADIUS, Splats};
 use crate::base::simd::vectorized;
 use crate::render::Limits;
@@ -52,8 +52,7 @@ impl Constants {
     }
 }
 
-/// Projected splats of a block. A point with offset p from a splat's centre belongs to it if |inverse · p|² is at most
-/// `SQUARED_RADIUS`.
+/// Projected splats of a block. An offset p from the centre belongs to a splat if |inverse · p|² ≤ `SQUARED_RADIUS`.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Lanes {
     pub place: [Lane; 2],
@@ -67,8 +66,7 @@ pub(super) struct Lanes {
     /// First and last column and row of the pixels that may show it.
     pub first: [Lane<i32>; 2],
     pub last: [Lane<i32>; 2],
-    /// Index of the centre's key if only the centre's pixel shows the splat, as for most; else `HIDDEN` or
-    /// `SEVERAL_PIXELS`.
+    /// Index of the centre's key if only that pixel shows the splat, as for most; else `HIDDEN` or `SEVERAL_PIXELS`.
     pub slot: Lane<i32>,
     /// Order part of that key.
     pub order: Lane<u32>,
@@ -297,7 +295,7 @@ fn project_all<const PARALLEL: bool>(
             let (p, q) = (i00 * offset_x + i01 * offset_y, i10 * offset_x + i11 * offset_y);
             let is_inside = p * p + q * q <= SQUARED_RADIUS;
             let nearness = if is_inside { nearness + slope[1] * offset_y + slope[0] * offset_x } else { nearness };
-            lanes.order[group][n] = ordered(nearness);
+            lanes.order[group][n] = sortable_bits(nearness);
         }
     }
 }

@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use super::draw::{Part, parts_of};
 use super::lanes::Constants;
 use super::picture::{Counts, Picture, PreparedPicture, PreparedView};
-use super::projector::{Rect, ScreenBounds, ordered};
+use super::projector::{Rect, ScreenBounds, sortable_bits};
 use super::resolve::Resolver;
 use super::screen::{BEFORE, Key};
 use super::splats::{BORDER, MIN_COSINE, SQUARED_RADIUS, Splats};
@@ -21,8 +21,7 @@ use crate::render::{Frame, Sample};
 /// Maximum number of blocks per piece.
 const PIECE: u32 = 16;
 
-/// Maximum number of samples that a shader thread visits per piece: software drivers end a thread's loops after 65,535
-/// iterations.
+/// Maximum samples that a shader thread visits per piece: software drivers end a thread's loops after 65,535 steps.
 const MAX_SAMPLES: f64 = 49_152.0;
 
 /// Width and height of the tiles in which large splats are drawn.
@@ -174,7 +173,7 @@ impl<'a> Plan<'a> {
         let [column, row] = corner.map(f64::from);
         Piece {
             start: view.projection.evaluate([column + 0.5, row + 0.5, -0.5]).map(|value| value as f32),
-            order: ordered(bounds.nearness),
+            order: sortable_bits(bounds.nearness),
             low: bounds.rect.low,
             high: bounds.rect.high,
             corner: corner.map(u32::from),
@@ -192,8 +191,7 @@ impl<'a> Plan<'a> {
         if !nearness.is_finite() {
             return size[0] * size[1];
         }
-        // The ellipse's axes u and v have |u|² + |v|² ≤ (x² + y²)/c² for a pixel of x × y metres and the minimum
-        // cosine c.
+        // The ellipse's axes u, v have |u|² + |v|² ≤ (x² + y²)/c² for a pixel of x × y metres and the minimum cosine c.
         let radius = f64::from(BORDER * SQUARED_RADIUS.sqrt() / MIN_COSINE);
         let reach = radius * self.prepared.views[part.number as usize].splats.pitch().truncate().length();
         let [x, y, w] = self.prepared.projector.rows.map(DVec3::length);

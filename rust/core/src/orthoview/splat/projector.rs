@@ -9,8 +9,7 @@ use crate::render::Limits;
 /// Three linear functions (X, Y, W) of points. A perspective camera shows a point at (X/W, Y/W), and W is its distance
 /// along the axis. A camera with parallel rays shows it at (X, Y), and W is its distance from the image plane.
 ///
-/// *Nearness* orders points along a ray: 1/W with perspective, −W for parallel rays. On a plane it is linear in the
-/// image position.
+/// *Nearness* orders points along a ray: 1/W with perspective, −W for parallel rays. It is linear on a plane's image.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::orthoview) struct Projector {
     /// World position of the eye or, for parallel rays, of the corner of the image plane.
@@ -167,14 +166,14 @@ impl ViewProjection {
 
 /// Returns a number that orders like a float and is never 0.
 #[inline(always)]
-pub(super) fn ordered(value: f32) -> u32 {
+pub(super) fn sortable_bits(value: f32) -> u32 {
     let bits = value.to_bits() as i32;
     // Flips all bits of negative numbers, otherwise only the sign.
     (bits ^ ((bits >> 31) | i32::MIN)) as u32
 }
 
-/// Inverse of `ordered`.
-pub(super) fn unordered(number: u32) -> f32 {
+/// Inverse of `sortable_bits`.
+pub(super) fn float_of_bits(number: u32) -> f32 {
     let bits = number as i32;
     f32::from_bits((bits ^ (!(bits >> 31) | i32::MIN)) as u32)
 }

@@ -3,7 +3,7 @@
 use glam::{DVec3, Vec3};
 
 use super::picture::PreparedPicture;
-use super::projector::{Rect, unordered};
+use super::projector::{Rect, float_of_bits};
 use super::screen::{BEFORE, Key, Screen};
 use super::splats::{Packed, Splats};
 use crate::render::shade::{background, irradiance};
@@ -147,7 +147,7 @@ impl<'a> Resolver<'a> {
             };
         }
         let (splats, texel) = self.splat(number, self.view(number, 0));
-        let distance = self.prepared.projector.distance(f64::from(unordered(key.order())));
+        let distance = self.prepared.projector.distance(f64::from(float_of_bits(key.order())));
         let (start, direction) = self.prepared.camera.ray(f64::from(x) + 0.5, f64::from(y) + 0.5);
         let place = self.prepared.camera.position + start + direction * distance - self.prepared.picture.origin;
         let normal = splats.normal(texel);

@@ -1,7 +1,7 @@
 //! Screen tile with the nearest splat at each of its samples.
 
 use super::lanes::{GROUP, Lanes, SEVERAL_PIXELS};
-use super::projector::{Rect, ordered};
+use super::projector::{Rect, sortable_bits};
 use super::splats::SQUARED_RADIUS;
 use crate::base::simd::vectorized;
 
@@ -16,7 +16,7 @@ pub(super) const BEFORE: u32 = u32::MAX;
 impl Key {
     #[inline(always)]
     pub fn new(nearness: f32, number: u32) -> Self {
-        Self::from_halves([!number, ordered(nearness)])
+        Self::from_halves([!number, sortable_bits(nearness)])
     }
 
     #[inline(always)]
@@ -76,7 +76,7 @@ impl Screen {
 
     /// Returns whether all samples of a rectangle already show something nearer.
     pub fn hides(&self, part: &Rect, nearness: f32) -> bool {
-        let order = ordered(nearness);
+        let order = sortable_bits(nearness);
         let columns = (part.high[0] - part.low[0]) as usize;
         (part.low[1]..part.high[1]).all(|y| {
             let first = self.slot(part.low[0], y);
@@ -131,7 +131,7 @@ fn draw_all(screen: &mut Screen, lanes: &Lanes, count: usize, first: u32) {
                     let is_inside = p * p + q * q <= SQUARED_RADIUS && from + i as i32 <= right;
                     let is_middle = from + i as i32 == middle;
                     let nearness = if is_inside { start + slope[0] * offset_x } else { nearness };
-                    let splat_key = u64::from(ordered(nearness)) << 32 | number;
+                    let splat_key = u64::from(sortable_bits(nearness)) << 32 | number;
                     key.0 = key.0.max(if is_inside | is_middle { splat_key } else { 0 });
                 }
                 from += STRIDE as i32;

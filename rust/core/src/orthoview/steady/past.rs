@@ -61,8 +61,7 @@ const MAX_PARALLAX: f64 = 0.5;
 /// Speed from which a surface fades at the full rate of moving ones, pixels per picture. Look-ups between pixels blur,
 /// but hardly at a tenth of a pixel.
 const MOVING: f64 = 0.1;
-/// Minimum total weight of the agreeing taps among the four around a position. A single tap reaches it only if it is
-/// the nearest.
+/// Minimum total weight of the agreeing taps around a position. A single tap reaches it only if it is the nearest.
 const MIN_WEIGHT: f64 = 0.25;
 
 /// Fade rate of colours: the time between two pictures divided by the time in which a difference falls to 1/e.
@@ -159,11 +158,11 @@ impl<'a> Past<'a> {
                         self.reproject_moved(position - DVec2::from_array(motion[pixel].map(f64::from)), point)
                     }
                 };
-                let before = reprojection.and_then(|(place, test)| Some((place, self.color(place, &test)?)));
+                let before = reprojection.and_then(|(earlier, test)| Some((earlier, self.color(earlier, &test)?)));
                 let color = now.color[pixel];
                 agrees[column] = before.is_some();
-                mixed[column] = before.map_or(color, |(place, before)| {
-                    let weight = (-fade.exponent(position.distance(place))).exp() as f32;
+                mixed[column] = before.map_or(color, |(earlier, before)| {
+                    let weight = (-fade.exponent(position.distance(earlier))).exp() as f32;
                     std::array::from_fn(|i| color[i] + (before[i] - color[i]) * weight)
                 });
             }
@@ -176,10 +175,10 @@ impl<'a> Past<'a> {
     fn reproject(&self, now: &Projector, fade: &Fade, position: DVec2, point: PointOnRay) -> Option<(DVec2, Test)> {
         let (origin, direction, inverse) = point;
         let offset = origin * inverse + direction;
-        let place = image_position(self.projector.homogeneous(offset, inverse))?;
+        let earlier = image_position(self.projector.homogeneous(offset, inverse))?;
         let distance = self.projector.distance_of(offset);
         let (start, toward) = if self.projector.is_parallel {
-            let (start, toward) = self.rays.ray(place.x, place.y);
+            let (start, toward) = self.rays.ray(earlier.x, earlier.y);
             (self.image.camera.position + start, toward)
         } else {
             (self.projector.eye, offset / distance)
@@ -188,28 +187,28 @@ impl<'a> Past<'a> {
         // The later camera shows the point at 1/s from `start` at (A s + B)/(a s + b).
         let (start_point, direction_point) = (now.homogeneous(start - now.eye, 1.0), now.homogeneous(toward, 0.0));
         let e = (start_point.truncate() - position * start_point.z).length();
-        let max_parallax = fade.exponent(position.distance(place)).min(MAX_PARALLAX);
-        Some((place, Test::Parallax { e, s, a: start_point.z, b: direction_point.z, max_parallax }))
+        let max_parallax = fade.exponent(position.distance(earlier)).min(MAX_PARALLAX);
+        Some((earlier, Test::Parallax { e, s, a: start_point.z, b: direction_point.z, max_parallax }))
     }
 
-    /// Same as `reproject`, for a point that was at `place` in the earlier picture.
-    fn reproject_moved(&self, place: DVec2, (origin, direction, inverse): PointOnRay) -> Option<(DVec2, Test)> {
+    /// Same as `reproject`, for a point that was at `position` in the earlier picture.
+    fn reproject_moved(&self, position: DVec2, (origin, direction, inverse): PointOnRay) -> Option<(DVec2, Test)> {
         let distance = self.projector.distance_of(origin * inverse + direction);
-        place.is_finite().then_some((place, Test::Distance { s: inverse / distance }))
+        position.is_finite().then_some((position, Test::Distance { s: inverse / distance }))
     }
 
     /// Returns the colour at a position from the agreeing pixels; `None` outside the picture and if too few agree.
-    fn color(&self, place: DVec2, test: &Test) -> Option<Color> {
+    fn color(&self, position: DVec2, test: &Test) -> Option<Color> {
         let (width, height) = (self.image.camera.width as usize, self.image.camera.height as usize);
-        let is_inside = (0.0..=width as f64).contains(&place.x) && (0.0..=height as f64).contains(&place.y);
+        let is_inside = (0.0..=width as f64).contains(&position.x) && (0.0..=height as f64).contains(&position.y);
         if !is_inside {
             return None;
         }
-        let (columns, rows) = (Taps::new(place.x, width), Taps::new(place.y, height));
+        let (columns, rows) = (Taps::new(position.x, width), Taps::new(position.y, height));
         let agrees = |i: usize, j: usize| test.accepts(self.inverse[rows.pixels[j] * width + columns.pixels[i]]);
         let pixel = |i: usize, j: usize| self.image.color[rows.pixels[j] * width + columns.pixels[i]];
         if (0..4).all(|j| (0..4).all(|i| agrees(i, j))) {
-            let color = cubic(self.image.color, width, place.to_array());
+            let color = cubic(self.image.color, width, position.to_array());
             // Clamped, because a cubic overshoots at edges, and the overshoot would grow from picture to picture.
             let around = [pixel(1, 1), pixel(2, 1), pixel(1, 2), pixel(2, 2)];
             return Some(std::array::from_fn(|c| {

@@ -48,8 +48,7 @@ pub(super) enum Bend {
 }
 
 impl Bend {
-    /// Returns the position of a ray's bend relative to the user, from the ray's direction and its position in the
-    /// part.
+    /// Returns a ray's bend relative to the user, from the ray's direction and its position in the part.
     #[inline]
     pub fn evaluate(&self, direction: Vec3, [x, y]: [f32; 2]) -> Vec3 {
         let v = match self {

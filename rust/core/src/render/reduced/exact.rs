@@ -249,8 +249,7 @@ impl Inside {
         (power < 0.0 && morph.strength == 1.0).then_some(Self { user: user.as_vec2(), power: power as f32 })
     }
 
-    /// Returns the distance along a direction to r₁; infinite for vertical directions. Both roots are computed without
-    /// cancellation.
+    /// Returns the distance along a direction to r₁, infinite for vertical ones. Neither root suffers cancellation.
     #[inline]
     fn distance_to_r1(&self, direction: Vec3) -> f32 {
         let d = direction.xz();

@@ -47,9 +47,9 @@ impl Moving {
         self.scene.triangle_count() as u64
     }
 
-    /// Finds hits of rays without one on moving objects beyond the near part that no far surface hides. These appear in
-    /// the direction in which the centre sees them (w = 0), so rays from the centre are traced. `segment` gives the
-    /// visible segment of the n-th ray.
+    /// For rays without a hit, finds hits on moving objects beyond the near part that no far surface hides. They appear
+    /// in the direction in which the centre sees them (w = 0), so rays from the centre are traced. `segment` returns
+    /// the visible segment of the n-th ray.
     pub fn trace_beyond(
         &self,
         backdrop: &Backdrop<'_>,
@@ -70,7 +70,7 @@ impl Moving {
         self.trace_misses(aim, InFrontOfFar { backdrop }, displayed, rays, hits);
     }
 
-    /// Finds hits of rays without one on moving objects, in front of the whole far part.
+    /// For rays without a hit, finds hits on moving objects, in front of the whole far part.
     pub fn trace_in_front(&self, segment: impl Fn(usize) -> Segment, rays: &[Ray], hits: &mut [Hit]) {
         let aim = |n: usize, ray: &Ray| {
             let Segment { t_min, t_max } = segment(n);

@@ -17,8 +17,7 @@ use crate::tessellate::{Settings, Steps, bent_from};
 /// distance finds both.
 const MAX_SPLITS: usize = 3;
 
-/// Cache key of a split: steps of reach and tolerance, radii of the morph, and poses of moving objects (`None` for
-/// static parts).
+/// Cache key of a split: steps of reach and tolerance, radii, and poses of moving objects (`None` for static parts).
 #[derive(Clone, Debug, PartialEq)]
 struct SplitKey {
     steps: Option<Steps>,
@@ -40,8 +39,7 @@ pub(super) struct NearGeometry {
     bending: Vec<(u32, u32)>,
     /// Cached splits, the most recently used at the end.
     splits: Mutex<Vec<(SplitKey, Arc<Split>)>>,
-    /// The static and the moving part that were morphed last, because a user who stands still may request frames with
-    /// other poses.
+    /// The static and moving part morphed last, because a user who stands still may request frames with other poses.
     last: Mutex<Vec<LastMorphed>>,
 }
 

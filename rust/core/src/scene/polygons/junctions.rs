@@ -99,8 +99,7 @@ impl<'a> Tree<'a> {
     }
 }
 
-/// Moves the median along `axis` to the middle of `order`, then recursively the medians of both halves along the other
-/// axis.
+/// Moves the median along `axis` to the middle of `order`, then those of both halves along the other axis, and so on.
 fn sort_medians(points: &[[f64; 2]], order: &mut [u32], axis: usize) {
     if order.len() < 2 {
         return;

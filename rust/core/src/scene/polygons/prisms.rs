@@ -41,8 +41,7 @@ pub fn prisms(polygons: &Polygons, has_floor: &[bool], progress: &Progress) -> R
 mod tests {
     use super::*;
 
-    /// Returns six times the enclosed volume, by the divergence theorem; positive if faces are counter-clockwise from
-    /// outside.
+    /// Returns six times the enclosed volume (divergence theorem), positive for counter-clockwise faces.
     fn volume(points: &[[f64; 2]], height: f64, faces: &[[u32; 3]]) -> f64 {
         let corner = |number: u32| {
             let [x, y] = points[number as usize % points.len()];

@@ -109,8 +109,7 @@ impl StoredMeshes {
     }
 }
 
-/// Divides `count` rows into pieces and returns the results of `read`, which gets a piece's first row and slots for its
-/// rows.
+/// Divides `count` rows into pieces. `read` gets a piece's first row and slots for its rows; its results are returned.
 pub(super) fn map_pieces<T: Copy + Default, const W: usize, R: Send>(
     count: usize,
     read: impl Fn(usize, &mut [[T; W]]) -> R + Sync + Send,

@@ -110,8 +110,7 @@ impl StoredMeshes {
         })
     }
 
-    /// Collects a value for each vertex. `write` gets a part, one of its vertex sets, the first of some rows, and the
-    /// rows' slots.
+    /// Collects a value for each vertex. `write` gets a part, one of its vertex sets, the first row and slots for rows.
     fn collect_by_vertex<T: Copy + Send + Sync + 'static>(
         &self,
         parts: &[StoredPart],
@@ -223,8 +222,7 @@ impl StoredMesh {
     }
 }
 
-/// Normalises a normal; returns it unchanged if its squared length is within `tolerance` of 1, and zeros if it is not
-/// finite.
+/// Normalises a normal unless its squared length is within `tolerance` of 1. Returns zeros if it is not finite.
 fn unit(normal: [f32; 3], tolerance: f32) -> [f32; 3] {
     let vector = Vec3::from_array(normal);
     if (vector.length_squared() - 1.0).abs() <= tolerance {

@@ -63,7 +63,7 @@ fn read_rows(rows: &[Vec<u8>]) -> Result<Outlines> {
 }
 
 /// Returns the rings of each polygon of each row.
-fn unpacked(found: &Outlines) -> Vec<Vec<Rings>> {
+fn polygon_lists(found: &Outlines) -> Vec<Vec<Rings>> {
     let range = |offsets: &[i64], n: usize| offsets[n] as usize..offsets[n + 1] as usize;
     let ring = |n: usize| found.points[range(&found.rings, n)].to_vec();
     let polygon = |n: usize| range(&found.polygons, n).map(ring).collect();
@@ -84,7 +84,7 @@ fn every_layout_is_read() {
             let rows = [style.polygon(&two), vec![], several.clone(), style.collection(7, &[several])];
             let found = read_rows(&rows).unwrap();
             let both = vec![one, two.clone()];
-            assert_eq!(unpacked(&found), [vec![two], vec![], both.clone(), both], "{style:?}");
+            assert_eq!(polygon_lists(&found), [vec![two], vec![], both.clone(), both], "{style:?}");
             assert_eq!(found.skipped, 0);
         }
     }
@@ -96,7 +96,7 @@ fn points_and_lines_are_counted() {
     let point = [PLAIN.header(1), vec![0; 16]].concat();
     let rows = [line.clone(), PLAIN.collection(5, &[line.clone(), line.clone()]), PLAIN.collection(7, &[point, line])];
     let found = read_rows(&rows).unwrap();
-    assert_eq!((found.skipped, unpacked(&found)), (5, vec![vec![], vec![], vec![]]));
+    assert_eq!((found.skipped, polygon_lists(&found)), (5, vec![vec![], vec![], vec![]]));
 }
 
 #[test]
@@ -105,7 +105,7 @@ fn rows_of_several_tasks_stay_in_order() {
     let rows: Vec<_> = (0..count).map(|n| PLAIN.polygon(&[triangle(n as f64)])).collect();
     let found = read_rows(&rows).unwrap();
     let expected: Vec<Vec<Rings>> = (0..count).map(|n| vec![vec![triangle(n as f64)]]).collect();
-    assert_eq!(unpacked(&found), expected);
+    assert_eq!(polygon_lists(&found), expected);
 }
 
 #[test]
