@@ -57,8 +57,7 @@ pub(super) struct Morphed {
 impl NearGeometry {
     /// Copies the triangles inside r₁ and lists the others.
     pub fn gather(partition: &Partition, progress: &Progress) -> Result<Self> {
-        // Edges between two points of r₁ are split for the triangles beyond them, so the triangles within must be
-        // split as well.
+        // Triangles with an edge between two points of r₁ are split, because triangles beyond may need the edge split.
         let [fixed, bending] = partition.nsf_inside(partition.r1)?;
         let fixed = NearPart::fixed(fixed, &partition.scene)?;
         fixed.instance.mesh.build_bvh(progress)?;
