@@ -168,7 +168,7 @@ impl Baker<'_> {
     }
 }
 
-/// Hits of rays without a hit.
+/// Results of a tile whose rays all miss.
 const MISSES: [Hit; PIXELS] = [Hit::MISS; PIXELS];
 /// Coverage is not computed for maps.
 const COVERAGE: f32 = 0.0;

@@ -1,7 +1,7 @@
 //! Extraction of faces, with only the vertices that they use.
 //!
 //! Vertices are grouped in pages of 64, with one bit per vertex. Successive faces use nearby vertices, so most corners
-//! are on the same page as the previous corner, and only the short list of page_masks pages is sorted.
+//! are on the same page as the previous corner, and only the short list of page visits is sorted.
 
 use rayon::prelude::*;
 
