@@ -124,7 +124,7 @@ def test_non_finite_coordinates_are_refused(wrong: float) -> None:
 def test_inconsistent_offsets_are_refused() -> None:
     points = np.zeros((4, 2))
     for rings, runs in (([0, 5], [0, 1]), ([0, 4], [0, 2]), ([1, 4], [0, 1]), ([0, 3, 2, 4], [0, 3]), ([], [])):
-        with pytest.raises(ValueError, match="expected numbers that rise from 0"):
+        with pytest.raises(ValueError, match="expected numbers that ascend from 0"):
             _core.triangulate_polygons(points, np.array(rings, np.int64), np.array(runs, np.int64))
 
 

@@ -98,10 +98,10 @@ def test_every_notation_gives_the_same_triangles(tmp_path: Path) -> None:
     ("faces", "words"),
     [
         ("f 0 1 2", "line 5: a face names vertex 0, but the first is 1"),
-        ("f 1 2 4", "line 5: a face names vertex 4 of 3"),
-        ("f -4 2 3", "line 5: a face names vertex -4 of 3"),
-        ("f 1//9 2//1 3//1", "line 5: a face names normal 9 of 1"),
-        ("f 1/1 2/1 3/1", "line 5: a face names texture coordinate 1 of 0"),
+        ("f 1 2 4", "line 5: a face names vertex 4, but there are 3"),
+        ("f -4 2 3", "line 5: a face names vertex -4, but there are 3"),
+        ("f 1//9 2//1 3//1", "line 5: a face names normal 9, but there are 1"),
+        ("f 1/1 2/1 3/1", "line 5: a face names texture coordinate 1, but there are 0"),
         ("f 1.0 2 3", "line 5: a face has '1.0' where an index belongs"),
     ],
 )

@@ -144,7 +144,8 @@ fn mean_squared_error<P: PixelRows>(pair: &Pair<'_, P>, range: bool, progress: &
         let sum: f64 = rows.map(row_sum).sum();
         progress.check().map(|()| (sum, extremes.range()))
     };
-    // Same sums in the same order on one thread or many: waking threads takes as long as reading a few megabytes.
+    // Small images stay on one thread, because waking threads takes as long as reading a few megabytes. The order of
+    // sums is the same.
     let sums: Vec<(f64, ValueRange)> = if height.saturating_mul(width).saturating_mul(size_of::<P>()) < SERIAL_BYTES {
         (0..height).step_by(rows).map(|first| task(first..height.min(first + rows))).collect::<Result<_>>()?
     } else {
@@ -152,6 +153,6 @@ fn mean_squared_error<P: PixelRows>(pair: &Pair<'_, P>, range: bool, progress: &
     };
     Ok(SquaredError {
         mean: sums.iter().map(|task| task.0).sum::<f64>() / (height as f64 * width as f64),
-        range: sums.iter().fold(ValueRange::default(), |range, task| range.and(task.1)),
+        range: sums.iter().fold(ValueRange::default(), |range, task| range.union(task.1)),
     })
 }

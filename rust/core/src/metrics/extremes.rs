@@ -27,14 +27,14 @@ impl Default for ValueRange {
 }
 
 impl ValueRange {
-    pub(super) fn and(self, other: Self) -> Self {
+    pub(super) fn union(self, other: Self) -> Self {
         Self { least: self.least.min(other.least), greatest: self.greatest.max(other.greatest) }
     }
 
     /// Extends the range by a value; NaN is ignored.
     #[inline(always)]
     pub(super) fn include(&mut self, value: f64) {
-        *self = self.and(Self { least: value, greatest: value });
+        *self = self.union(Self { least: value, greatest: value });
     }
 }
 
@@ -52,7 +52,7 @@ impl<P: Pixel> Default for Extremes<P> {
 }
 
 impl<P: Pixel> Extremes<P> {
-    /// Extends a lane's range by a pixel. The order of the comparisons ignores NaN.
+    /// Extends a lane's range by a pixel; NaN is ignored, because it fails both comparisons.
     #[inline(always)]
     pub(super) fn include(&mut self, lane: usize, pixel: P) {
         self.least[lane] = if pixel < self.least[lane] { pixel } else { self.least[lane] };

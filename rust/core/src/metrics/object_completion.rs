@@ -13,7 +13,7 @@ const PIXELS_PER_TASK: usize = 1 << 14;
 const DENSE: usize = 1 << 20;
 
 /// Returns the fraction of the reference's objects that are visible (OVC), and the mean fraction of each object's
-/// pixels that are visible (OFC); `None` if the reference shows no object. Negative numbers are no objects.
+/// pixels that are visible (OFC); `None` if the reference shows no object. Negative numbers stand for no object.
 pub fn object_completion(reference: &[i32], test: &[i32]) -> Option<(f64, f64)> {
     let (expected, visible_counts) = rayon::join(|| PixelCounts::new(reference), || PixelCounts::new(test));
     let (mut objects, mut visible, mut fraction_sum) = (0u64, 0u64, 0.0);
@@ -31,7 +31,7 @@ pub fn object_completion(reference: &[i32], test: &[i32]) -> Option<(f64, f64)> 
 struct PixelCounts {
     /// Counts by object number.
     dense: Vec<u64>,
-    /// Counts of objects with large numbers, for which an array would not fit.
+    /// Counts of objects with numbers too large for an array.
     sparse: BTreeMap<usize, u64>,
 }
 
@@ -56,10 +56,10 @@ impl PixelCounts {
         // One array of counts per thread, because creating and adding arrays costs as much as counting. Integer sums
         // do not depend on the partition.
         let chunk_length = ids.len().div_ceil(rayon::current_num_threads()).max(PIXELS_PER_TASK);
-        ids.par_chunks(chunk_length).map(|ids| Self::default().count(ids)).reduce(Self::default, Self::and)
+        ids.par_chunks(chunk_length).map(|ids| Self::default().count(ids)).reduce(Self::default, Self::merge)
     }
 
-    /// Adds pixels run by run: most pixels show the same object as their neighbour.
+    /// Adds pixels run by run, because most pixels show the same object as their neighbour.
     fn count(mut self, ids: &[i32]) -> Self {
         let (blocks, remainder) = ids.as_chunks::<BLOCK>();
         let mut run = Run { id: -1, pixels: 0 };
@@ -69,16 +69,16 @@ impl PixelCounts {
             }
             for part in block.as_chunks::<SUBBLOCK>().0 {
                 if !run.try_extend(part) {
-                    part.iter().for_each(|&id| self.step(&mut run, id));
+                    part.iter().for_each(|&id| self.add_pixel(&mut run, id));
                 }
             }
         }
-        remainder.iter().for_each(|&id| self.step(&mut run, id));
+        remainder.iter().for_each(|&id| self.add_pixel(&mut run, id));
         self.add(run.id, run.pixels);
         self
     }
 
-    fn step(&mut self, run: &mut Run, id: i32) {
+    fn add_pixel(&mut self, run: &mut Run, id: i32) {
         if id != run.id {
             self.add(run.id, run.pixels);
             *run = Run { id, pixels: 0 };
@@ -98,7 +98,7 @@ impl PixelCounts {
         self.dense[object] += pixels;
     }
 
-    fn and(mut self, mut other: Self) -> Self {
+    fn merge(mut self, mut other: Self) -> Self {
         if self.dense.len() < other.dense.len() {
             std::mem::swap(&mut self.dense, &mut other.dense);
         }

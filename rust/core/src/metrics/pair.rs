@@ -101,7 +101,7 @@ impl<'a, P: PixelRows> Pair<'a, P> {
             self.extend(&Region { rows, columns: [0, width] }, &mut extremes);
             extremes.range()
         };
-        (0..height.div_ceil(ROWS)).into_par_iter().map(band).reduce(ValueRange::default, ValueRange::and)
+        (0..height.div_ceil(ROWS)).into_par_iter().map(band).reduce(ValueRange::default, ValueRange::union)
     }
 
     /// Returns approximate means of both images in a region, restricted to the mask if there is one.

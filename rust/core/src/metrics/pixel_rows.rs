@@ -1,12 +1,11 @@
-//! Kernels over rows of pixels: sums and differences, squared differences. Metrics use fused multiply-add if the machine
-//! has it: half the instructions and one rounding less. Results are otherwise the same on all machines.
+//! Kernels over rows of pixels: sums and differences, squared differences. Metrics use fused multiply-add if the
+//! machine has it, which halves the instructions and saves a rounding. Otherwise results are the same on all machines.
 
 use super::extremes::{Extremes, LANES};
 use super::plane::Pixel;
 use crate::base::simd::vectorized;
 
-/// Lanes of the kernel that also finds extremes: its last block overlaps the previous one, and narrow blocks overlap
-/// less.
+/// Lanes of the kernel that also finds extremes. Few, because its last block overlaps the previous one.
 pub(super) const EXTREME_LANES: usize = LANES / 2;
 
 /// Pixel types with row kernels.
@@ -33,8 +32,8 @@ vectorized! {
         levels: [P::Real; 2],
         s: &mut [P::Real],
         d: &mut [P::Real],
-    ) = spread;
-    /// Same, with the extremes of both rows, which have at least `EXTREME_LANES` pixels.
+    ) = sum_and_difference_kernel;
+    /// Same, and finds the extremes of both rows, which have at least `EXTREME_LANES` pixels.
     pub(super) fn sum_difference_and_extremes<P: Pixel>(
         x: &[P],
         y: &[P],
@@ -42,7 +41,7 @@ vectorized! {
         s: &mut [P::Real],
         d: &mut [P::Real],
         extremes: &mut Extremes<P>,
-    ) = spread_and_extend;
+    ) = sum_difference_and_extremes_kernel;
     /// Extends `extremes` by (rows, width) pixels; rows begin `step` values apart.
     pub(super) fn extend<P: Pixel>(values: &[P], step: usize, size: [usize; 2], extremes: &mut Extremes<P>)
         = extend_kernel;
@@ -89,7 +88,7 @@ fn real_squares<P: Copy + Into<f64>>(x: &[P], y: &[P]) -> f64 {
 }
 
 #[inline(always)]
-fn spread<P: Pixel>(x: &[P], y: &[P], levels: [P::Real; 2], s: &mut [P::Real], d: &mut [P::Real]) {
+fn sum_and_difference_kernel<P: Pixel>(x: &[P], y: &[P], levels: [P::Real; 2], s: &mut [P::Real], d: &mut [P::Real]) {
     let length = x.len().min(y.len()).min(s.len()).min(d.len());
     let (x, y, s, d) = (&x[..length], &y[..length], &mut s[..length], &mut d[..length]);
     for i in 0..length {
@@ -100,7 +99,7 @@ fn spread<P: Pixel>(x: &[P], y: &[P], levels: [P::Real; 2], s: &mut [P::Real], d
 }
 
 #[inline(always)]
-fn spread_and_extend<P: Pixel>(
+fn sum_difference_and_extremes_kernel<P: Pixel>(
     x: &[P],
     y: &[P],
     levels: [P::Real; 2],
@@ -121,7 +120,7 @@ fn spread_and_extend<P: Pixel>(
             let (a, b) = (x[i].real() - levels[0], y[i].real() - levels[1]);
             s[i] = a + b;
             d[i] = a - b;
-            // NaN is ignored together with the pixel compared with it, which no counted window sees.
+            // NaN is ignored together with the other image's pixel, which no window that counts contains.
             let (low, high) = if x[i] < y[i] { (x[i], y[i]) } else { (y[i], x[i]) };
             least[i] = if low < least[i] { low } else { least[i] };
             greatest[i] = if high > greatest[i] { high } else { greatest[i] };
@@ -130,7 +129,7 @@ fn spread_and_extend<P: Pixel>(
     let images = x.as_chunks().0.iter().zip(y.as_chunks().0);
     let lines = s.as_chunks_mut().0.iter_mut().zip(d.as_chunks_mut().0);
     images.zip(lines).for_each(|((x, y), (s, d))| block(x, y, s, d));
-    // The last block overlaps pixels that are already included, which changes nothing.
+    // The last block includes some pixels again, which changes nothing.
     if let (Some(x), Some(y), Some(s), Some(d)) =
         (x.last_chunk(), y.last_chunk(), s.last_chunk_mut(), d.last_chunk_mut())
     {
@@ -161,7 +160,7 @@ fn extend_kernel<P: Pixel>(values: &[P], step: usize, [rows, width]: [usize; 2],
     };
     for row in rows {
         row.as_chunks::<LANES>().0.iter().for_each(&mut include);
-        // Pixels that are already included change nothing.
+        // The last block includes some pixels again, which changes nothing.
         if !width.is_multiple_of(LANES) {
             row.last_chunk::<LANES>().into_iter().for_each(&mut include);
         }

@@ -16,16 +16,16 @@ pub trait Pixel: Copy + PartialOrd + Send + Sync {
 
 /// Limits within which a precision keeps the digits of similarity.
 pub trait RoundingLimits: Real {
-    /// Maximum change of either factor of the measure, in roundings of a pixel minus its level: 1e-6 in float32 and
-    /// 5e-13 in float64. It is that small for the mean, because uniform areas all round alike.
+    /// Maximum error of either factor of the measure, in roundings of a pixel minus its level: 1e-6 in float32 and
+    /// 5e-13 in float64. All windows of a uniform area are rounded alike, which shifts the mean.
     const MAX_CHANGE: f64;
     /// Maximum distance of a window from the level, in units of √c₁ or √c₂.
     const MAX_DISTANCE: f64;
-    /// Maximum level: its square, and the product of two such squares, are finite.
+    /// Maximum level, whose fourth power is finite.
     const MAX_LEVEL: f64;
     /// Maximum divisor, far below overflow.
     const MAX_DIVISOR: f64;
-    /// Minimum constant: the product of both keeps all digits.
+    /// Minimum constant, for which the product of both constants keeps all digits.
     const MIN_CONSTANT: f64;
 }
 
@@ -136,8 +136,8 @@ impl<'a, P: Pixel> Plane<'a, P> {
         (self.column_step == 1).then(|| (&self.values[row * self.row_step + column..], self.row_step))
     }
 
-    /// Returns an approximate mean of a region, from a few of its pixels that are finite. With a mask it uses only
-    /// masked pixels, or the first one if the few contain none, so that the level depends on no other pixel.
+    /// Returns an approximate mean of a region from a few of its pixels, without those that are not finite. With a mask
+    /// it uses only masked pixels, at least the first one, so that the level does not depend on other pixels.
     pub(super) fn level(&self, part: &Region, mask: Option<&Plane<'_, u8>>) -> f64 {
         let is_masked = |&(row, column): &(usize, usize)| mask.is_none_or(|mask| mask.contains(row, column));
         let mut samples = part.samples().filter(is_masked).peekable();
@@ -215,12 +215,12 @@ impl Region {
         self.rows[0] >= self.rows[1] || self.columns[0] >= self.columns[1]
     }
 
-    pub fn holds_row(&self, row: usize) -> bool {
+    pub fn contains_row(&self, row: usize) -> bool {
         (self.rows[0]..self.rows[1]).contains(&row)
     }
 
-    pub fn holds(&self, row: usize, column: usize) -> bool {
-        self.holds_row(row) && (self.columns[0]..self.columns[1]).contains(&column)
+    pub fn contains(&self, row: usize, column: usize) -> bool {
+        self.contains_row(row) && (self.columns[0]..self.columns[1]).contains(&column)
     }
 
     /// Returns a few of its pixels, evenly spaced.

@@ -4,22 +4,22 @@
 //! blend of both directions, Q = P + α (P−O) + β v. Here α = h(e + (|v|²−e)/(1+n))/n and β = 1 − w(w + (1−w)B/A)/n.
 //!
 //! Both terms are of the size of |v|, so rounding is relative to the user's offset, not to the distance. Points near a
-//! radius, near the user or near opposition are in doubt: rounding affects n or the choice of zone.
+//! radius, near the user or near opposed directions are in doubt, because rounding affects n or the choice of zone.
 
 use super::lanes::{BLOCK, BlendLimits, BlockCoordinates, gather, scatter};
 use super::point::Morph;
 use crate::base::Real;
 
-/// Maximum r₂/(r₂−r₁). Rounding of a float32 weight w grows by this factor; above the limit the morph uses float64.
+/// Maximum r₂/(r₂−r₁), by which the rounding of a float32 weight w grows. Above it, the morph uses float64.
 const MAX_STEEPNESS: f64 = 16.0;
 
 /// Returns whether the kernel may be used: no length overflows or loses digits, and points within r₁ do not move.
-pub(super) fn applies<T: BlendLimits>(morph: &Morph) -> bool {
-    let [least, greatest] = T::LENGTHS;
+pub(super) fn is_applicable<T: BlendLimits>(morph: &Morph) -> bool {
+    let [min, max] = T::LENGTHS;
     if morph.strength < 1.0 {
         return false;
     }
-    let in_range = morph.r2 > least && morph.r2 < greatest && morph.offset.length() < greatest;
+    let in_range = morph.r2 > min && morph.r2 < max && morph.offset.length() < max;
     // Two float32 numbers represent O to 2⁻⁴⁸ of its length, which must stay far below `DOUBT` of the inner radius.
     let in_range = in_range && morph.center.length() < 1e6 * if morph.r1 > 0.0 { morph.r1 } else { morph.r2 };
     in_range && morph.r2 < MAX_STEEPNESS * (morph.r2 - morph.r1)

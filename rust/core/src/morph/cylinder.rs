@@ -1,12 +1,12 @@
-//! Block kernel of `Kind::Cylinder`, of strengths below 1, and of blends outside the limits of the kernel `blend`: the
-//! scalar form in float64, without branches. Points with nearly opposed directions are in doubt.
+//! Block kernel for `Kind::Cylinder`, for strengths below 1, and for blends outside the limits of the kernel `blend`.
+//! It is the scalar form in float64, without branches. Points with nearly opposed directions are in doubt.
 
 use super::lanes::{BLOCK, BlockCoordinates, gather, scatter};
 use super::point::{Kind, Morph};
 use crate::base::Real;
 
-/// Length of a blend of unit vectors below which the scalar code decides.
-const SHORTEST_BLEND: f64 = 1e-6;
+/// Minimum length of a blend of unit vectors; shorter blends are in doubt.
+const MIN_BLEND_LENGTH: f64 = 1e-6;
 
 /// Morphs a block. Returns one bit for each point in doubt.
 #[inline(always)]
@@ -47,8 +47,8 @@ pub(super) fn block<T: Real>(morph: &Morph, points: &[[T; 3]; BLOCK], morphed: &
         results[0][i] = T::narrow(if shifts { sx } else { qx });
         results[1][i] = T::narrow(if shifts { sy } else { qy });
         results[2][i] = T::narrow(if shifts { sz } else { qz });
-        // If a length is 0, the comparison is with NaN and fails, which marks the point as doubtful.
-        doubtful[i] = !((w == 1.0) | shifts | (length > SHORTEST_BLEND));
+        // If a length is 0, the blend is NaN and fails the comparison, which marks the point as doubtful.
+        doubtful[i] = !((w == 1.0) | shifts | (length > MIN_BLEND_LENGTH));
         let stays = w == 1.0;
         results[0][i] = if stays { coordinates[0][i] } else { results[0][i] };
         results[1][i] = if stays { coordinates[1][i] } else { results[1][i] };

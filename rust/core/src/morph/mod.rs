@@ -1,7 +1,7 @@
 //! The morph: joins near geometry as the user sees it to a far environment as the centre sees it.
 //!
-//! Popescu, Lee, Choi, Fahmy: the continuous near–far partitioning of 2022, Eq. 1–3 (`Kind::Blend`); CloVR by the same
-//! group, 2024, Alg. 1 (`Kind::Cylinder`). The printed formula of w in CloVR lacks its brackets.
+//! Popescu, Lee, Choi, Fahmy: continuous near–far partitioning, 2022, Eq. 1–3 (`Kind::Blend`); CloVR by the same group,
+//! 2024, Alg. 1 (`Kind::Cylinder`), whose printed formula of w lacks its brackets.
 
 mod blend;
 mod cylinder;

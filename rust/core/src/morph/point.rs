@@ -26,7 +26,7 @@ pub struct Morph {
     pub r2: f64,
     /// Rule for the distance along the direction.
     pub kind: Kind,
-    /// s: factor of the weight of the user's view. Below 1, points within r₁ move too.
+    /// s: factor of the weight of the user's view. Below 1, points within r₁ move, too.
     pub strength: f64,
     /// U − O.
     pub(super) offset: DVec3,
@@ -39,8 +39,8 @@ pub struct Morphed {
     pub point: DVec3,
     /// Weight w of the user's view: the strength inside r₁, 0 beyond r₂.
     pub weight: f64,
-    /// Whether user and centre see the point in opposite directions, so that the blend has no direction and the user's
-    /// is used. This happens only to users outside the near cylinder, and between U and O at a strength of ½.
+    /// Whether user and centre see the point in opposite directions. The blend then has no direction, and the user's is
+    /// used. This happens only to users outside the near cylinder, and between U and O at a strength of ½.
     pub opposed: bool,
 }
 
@@ -114,7 +114,8 @@ impl Morph {
     }
 }
 
-/// Eq. 1: the direction of w d_U + (1−w) d_O. For a point at the user's eye d_U is undefined and d_O is used.
+/// Returns the direction of w d_U + (1−w) d_O (Eq. 1), and whether d_U and d_O are opposed. For a point at the user's
+/// eye, d_U is undefined and d_O is used.
 fn blended_direction(from_user: DVec3, from_center: DVec3, weight: f64) -> (DVec3, bool) {
     let (seen_by_user, seen_by_center) = (from_user.normalize_or_zero(), from_center.normalize_or_zero());
     let blend = weight * seen_by_user + (1.0 - weight) * seen_by_center;
@@ -126,8 +127,8 @@ fn blended_direction(from_user: DVec3, from_center: DVec3, weight: f64) -> (DVec
 }
 
 /// Returns the distance from `start` (relative to the axis) along a unit direction to the exit from the cylinder of
-/// radius ρ; `None` if the start lies outside or the direction never leaves. It is the larger root of a t² + 2 b t +
-/// c, computed without cancellation.
+/// radius ρ; `None` if the start lies outside or the direction is vertical. It is the larger root of a t² + 2 b t + c,
+/// computed without cancellation.
 fn leave_cylinder(start: DVec3, direction: DVec3, rho: f64) -> Option<f64> {
     let (start, direction) = (DVec2::new(start.x, start.z), DVec2::new(direction.x, direction.z));
     let start_rho = start.length();

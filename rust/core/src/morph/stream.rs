@@ -11,8 +11,8 @@ use crate::base::{Progress, Real, Result};
 
 /// Number of points in one task.
 const TILE: usize = 1 << 14;
-/// Prefetch distance, blocks. Without it the loads of the next block would wait behind the hundreds of instructions of
-/// this block. It saves a fifth of the time.
+/// Prefetch distance, blocks. Otherwise the loads of the next block would wait behind hundreds of instructions of this
+/// block. Prefetching saves a fifth of the time.
 const PREFETCHED_BLOCKS: usize = 4;
 
 vectorized! {
@@ -30,29 +30,29 @@ vectorized! {
 impl Morph {
     /// Morphs float32 or float64 points in tiles on the current thread pool. Unless directions are opposed, the error
     /// is at most half a step of the result plus half an epsilon of the type times (6 + 3 r₂/(r₂−r₁)) |U−O|. At full
-    /// strength points inside r₁ are unchanged; points beyond r₂ are U + P − O, rounded once. NaN points give NaN.
-    /// Returns the number of opposed points. Both slices have the same length.
+    /// strength, points inside r₁ are unchanged, and blends move points beyond r₂ to U + P − O, rounded once. NaN gives
+    /// NaN. Returns the number of points with opposed directions. Both slices must have the same length.
     pub fn apply_all<T: BlendLimits>(
         &self,
         points: &[[T; 3]],
         morphed: &mut [[T; 3]],
         progress: &Progress,
     ) -> Result<u64> {
-        assert_eq!(points.len(), morphed.len(), "as many results as points");
+        assert_eq!(points.len(), morphed.len(), "one result for each point");
         if self.offset == DVec3::ZERO {
             // If user and centre coincide, no point moves.
             points.par_chunks(TILE).zip(morphed.par_chunks_mut(TILE)).for_each(|(from, to)| to.copy_from_slice(from));
             return Ok(0);
         }
-        if self.kind == Kind::Blend && blend::applies::<T>(self) {
+        if self.kind == Kind::Blend && blend::is_applicable::<T>(self) {
             let constants = blend::Constants::new(self);
-            return in_tiles(self, points, morphed, progress, |block, to| blend_block(&constants, block, to));
+            return morph_tiles(self, points, morphed, progress, |block, to| blend_block(&constants, block, to));
         }
-        in_tiles(self, points, morphed, progress, |block, to| cylinder_block(self, block, to))
+        morph_tiles(self, points, morphed, progress, |block, to| cylinder_block(self, block, to))
     }
 }
 
-fn in_tiles<T: BlendLimits>(
+fn morph_tiles<T: BlendLimits>(
     morph: &Morph,
     points: &[[T; 3]],
     morphed: &mut [[T; 3]],
@@ -70,7 +70,7 @@ fn in_tiles<T: BlendLimits>(
             count += resolve(morph, kernel(block, morphed), block, morphed);
         }
         if let Some(&first) = remaining.first() {
-            // They are padded to a block; a point's result does not depend on its position in the block.
+            // Padded to a block; a point's result does not depend on its position in the block.
             let mut block = [first; BLOCK];
             let mut morphed = block;
             block[..remaining.len()].copy_from_slice(remaining);

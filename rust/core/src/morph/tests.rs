@@ -11,8 +11,8 @@ fn blend(user: DVec3, center: DVec3) -> Morph {
     Morph::new(user, center, 30.0, 50.0, Kind::Blend).unwrap()
 }
 
-/// Eq. 1–3 as printed, relative to the centre.
-fn printed(morph: &Morph, p: DVec3) -> DVec3 {
+/// Computes Eq. 1–3 as printed, relative to the centre.
+fn printed_formula(morph: &Morph, p: DVec3) -> DVec3 {
     let u = morph.user - morph.center;
     let rho = p.x.hypot(p.z);
     let w = ((morph.r2 - rho) / (morph.r2 - morph.r1)).clamp(0.0, 1.0);
@@ -28,7 +28,7 @@ proptest! {
     #[test]
     fn scalar_and_printed_forms_agree(p in point(60.0), u in point(15.0), o in point(1e3)) {
         let morph = blend(o + u, o);
-        let expected = printed(&morph, p);
+        let expected = printed_formula(&morph, p);
         let shown = morph.apply(o + p) - o;
         // A dozen roundings at coordinates of 10³ m; the error of w grows by r₂/(r₂−r₁) = 2.5.
         prop_assert!((shown - expected).length() < 1e-11, "{shown} {expected}");
@@ -69,7 +69,7 @@ proptest! {
     fn both_kinds_of_wide_blocks_agree_with_the_scalar_form(
         p in prop::collection::vec(point(70.0), 1..200), u in point(60.0), is_blend in any::<bool>(), strength in 0.0..2.0f64,
     ) {
-        // These radii are too close for the blend kernel in the points' own precision.
+        // The radii are too close for the blend kernel in the points' own precision.
         let (kind, r1) = if is_blend { (Kind::Blend, 49.0) } else { (Kind::Cylinder, 35.0) };
         let full = Morph::new(u, DVec3::ZERO, r1, 50.0, kind).unwrap();
         let morph = full.with_strength(strength.min(1.0)).unwrap();
@@ -80,8 +80,7 @@ proptest! {
         morph.apply_all(&single, &mut shown_single, &Progress::new()).unwrap();
         for i in 0..points.len() {
             let exact = morph.apply(DVec3::from_array(points[i]));
-            // The error of w grows by 50, more for exits in steep directions or near the cylinder of the user's own
-            // radius.
+            // The error of w grows by 50, more for steep exits or near the cylinder of the user's own radius.
             prop_assert!((DVec3::from_array(shown[i]) - exact).length() < 1e-8 * (1.0 + exact.length()));
             let exact = morph.apply(DVec3::from_array(single[i].map(f64::from)));
             let single = DVec3::from_array(shown_single[i].map(f64::from));
@@ -145,9 +144,9 @@ fn both_radii_are_crossed_continuously() {
         let morph = Morph::new(DVec3::new(4.0, 1.0, -3.0), DVec3::ZERO, 30.0, 50.0, kind).unwrap();
         for radius in [30.0, 50.0] {
             for height in [-2.0, 0.0, 400.0] {
-                let at = |rho: f64| morph.apply(DVec3::new(rho, height, 0.0));
+                let shown = |rho: f64| morph.apply(DVec3::new(rho, height, 0.0));
                 // w changes by 5e-14 over the step of 1e-12 m; points at 400 m move by at most w · |U−O| · 20.
-                assert!((at(radius - 5e-13) - at(radius + 5e-13)).length() < 1e-10, "{kind:?} {radius} {height}");
+                assert!((shown(radius - 5e-13) - shown(radius + 5e-13)).length() < 1e-10, "{kind:?} {radius} {height}");
             }
         }
     }

@@ -7,8 +7,8 @@ use crate::base::{Result, ensure};
 use crate::camera::{Camera, Fov, Projection};
 use crate::render::{Limits, Segment};
 
-/// Safety factor for surfaces beyond a cell's sides, in roundings of the largest coordinate: those of a corner, of a
-/// ray's start and of its length, which is up to √3 sides.
+/// Tolerance for surfaces at a cell's sides, in float32 roundings of the largest coordinate. It covers the roundings of
+/// a corner, of a ray's start and of a ray's length (up to √3 sides).
 const MARGIN: f64 = 8.0;
 
 /// A cubic cell of the world.
@@ -28,15 +28,14 @@ impl Cell {
         Ok(Self { corner, side })
     }
 
-    /// Returns the possible error of a scene's surfaces in the cell, metres: kernels round positions relative to its
-    /// origin, and distances, to float32.
+    /// Returns the maximum error of surface positions in the cell, metres. Kernels round distances, and positions
+    /// relative to the scene's `origin`, to float32.
     pub fn margin(&self, origin: DVec3) -> f64 {
         let (low, high) = (self.corner - origin, self.corner + self.side - origin);
         MARGIN * f64::from(f32::EPSILON) * low.abs().max(high.abs()).max_element()
     }
 
-    /// Returns the minimum and maximum corner of the volume in which surfaces count, world positions; surfaces on the
-    /// cell's sides do.
+    /// Returns the corners of the cell, grown by the margin so that surfaces on its sides count; world positions.
     pub fn bounds_with_margin(&self, origin: DVec3) -> (DVec3, DVec3) {
         let margin = self.margin(origin);
         (self.corner - margin, self.corner + self.side + margin)
@@ -56,9 +55,9 @@ impl Cell {
     }
 }
 
-/// An orthographic picture of a cell, which covers it tightly.
+/// An orthographic camera whose picture covers a cell exactly.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sight {
+pub struct OrthoCamera {
     /// Width and height, pixels.
     pub pixels: usize,
     /// Unit vectors to the right, upwards and towards the viewer.
@@ -70,8 +69,8 @@ pub struct Sight {
     frame: Frame,
 }
 
-impl Sight {
-    /// Creates the picture of a cell with the axes of a frame.
+impl OrthoCamera {
+    /// Creates the camera of a cell with the axes of a frame.
     pub fn new(cell: &Cell, frame: Frame, pixels: usize) -> Self {
         let center = cell.corner + cell.side / 2.0;
         Self { pixels, axes: frame.axes(), extents: frame.extents() * cell.side, center, frame }
@@ -131,14 +130,14 @@ mod tests {
     #[test]
     fn points_have_the_positions_of_their_cells() {
         let cell = Cell::new(DVec3::new(40.0, -3.0, 7.0), 20.0).unwrap();
-        let sight = Sight::new(&cell, Direction::new([1, 1, 0]).unwrap().frame(), 64);
-        let camera = sight.camera().unwrap();
-        for place in [DVec3::ZERO, DVec3::new(3.25, 60.0, 11.0), DVec3::new(32.0, 32.0, sight.extents.z / 2.0)] {
+        let ortho = OrthoCamera::new(&cell, Direction::new([1, 1, 0]).unwrap().frame(), 64);
+        let camera = ortho.camera().unwrap();
+        for place in [DVec3::ZERO, DVec3::new(3.25, 60.0, 11.0), DVec3::new(32.0, 32.0, ortho.extents.z / 2.0)] {
             let (start, direction) = camera.rays().ray(place.x, place.y);
             let point = camera.position + start + direction * place.z;
-            assert!((sight.unproject(place) - point).length() < 1e-12, "{place}");
-            assert!((sight.project(point) - place).length() < 1e-12, "{place}");
+            assert!((ortho.unproject(place) - point).length() < 1e-12, "{place}");
+            assert!((ortho.project(point) - place).length() < 1e-12, "{place}");
         }
-        assert!((sight.unproject(DVec3::new(32.0, 32.0, sight.extents.z / 2.0)) - cell.corner - 10.0).length() < 1e-12);
+        assert!((ortho.unproject(DVec3::new(32.0, 32.0, ortho.extents.z / 2.0)) - cell.corner - 10.0).length() < 1e-12);
     }
 }

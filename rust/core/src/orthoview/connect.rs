@@ -25,41 +25,44 @@ pub struct Bounds {
     pub bend: f32,
 }
 
-/// Steps to the neighbours whose connections a pixel stores, as (columns, rows), by bit number.
+/// Steps to the neighbours whose connections a pixel stores, as (columns, rows). Bit n belongs to the n-th step.
 const NEIGHBOURS: [(i64, i64); 4] = [(1, 0), (0, 1), (1, 1), (-1, 1)];
 
-/// Pixel of a block that stores the connection of a pair, and its bit; pixels of a block are numbered row by row.
-const HOLDERS: [(usize, u8); 6] = [(0, 0), (0, 1), (1, 1), (2, 0), (0, 2), (1, 3)];
-
-/// Pixels of each pair.
+/// Pairs of pixels of a block, whose pixels are numbered row by row.
 const PAIRS: [(usize, usize); 6] = [(0, 1), (0, 2), (1, 3), (2, 3), (0, 3), (1, 2)];
 
-/// Returns four bits per pixel of each view: whether it is connected with its neighbour to the right, below, below
-/// right, and below left.
+/// Pixel of the block that stores the connection of each pair, and the bit.
+const PAIR_BITS: [(usize, u8); 6] = [(0, 0), (0, 1), (1, 1), (2, 0), (0, 2), (1, 3)];
+
+/// Maximum number of connected neighbours of a ball.
+const MAX_BALL_NEIGHBOURS: u8 = 4;
+
+/// Returns four bits per pixel of each view: whether the pixel is connected with its neighbours to the right, below,
+/// below right, and below left.
 pub fn connected(views: &Views, bounds: &Bounds) -> Result<Vec<u8>> {
-    // Bits of each view and of all, and normals of the views of each thread.
+    // Direct and closed bits of each view, the bits of all views, and the normals of one view per thread.
     let (pixels, count) = (views.format.pixels(), views.directions.len());
     room_for((pixels * (3 * count + rayon::current_num_threads() * size_of::<Vec3>())) as u64)?;
-    let of_view = |(direction, view): (&Direction, &View)| {
-        closed(&pairs(view, direction.frame(), &views.format, bounds), views.format.size)
+    let connect_view = |(direction, view): (&Direction, &View)| {
+        close_blocks(&direct_connections(view, direction.frame(), &views.format, bounds), views.format.size)
     };
-    Ok(views.directions.par_iter().zip(views.views()).map(of_view).collect::<Vec<_>>().concat())
+    Ok(views.directions.par_iter().zip(views.views()).map(connect_view).collect::<Vec<_>>().concat())
 }
 
-/// Returns whether each pixel of some views of `size` × `size` pixels is a surfel, a piece of a plane: more than four
-/// of its eight neighbours are connected with it. Other pixels are balls.
+/// Returns, for each pixel of views of `size` × `size` pixels, whether it is a surfel (a piece of a plane): it is
+/// connected with more than four of its eight neighbours. All other pixels are balls.
 pub fn surfels(bits: &[u8], size: usize) -> Result<Vec<bool>> {
     let is_whole = size > 0 && bits.len().is_multiple_of(size * size);
     ensure!(is_whole, "bits", format!("views of {size} × {size} pixels"), bits.len());
-    // Numbers of neighbours of each view, lists of threads, and all.
+    // Neighbour counts, the threads' lists, and the list of all pixels.
     room_for(3 * bits.len() as u64)?;
-    let of_view = |bits| neighbours(bits, size).into_iter().map(is_surfel);
-    Ok(bits.par_chunks(size * size).flat_map_iter(of_view).collect())
+    let classify_view = |bits| neighbours(bits, size).into_iter().map(is_surfel);
+    Ok(bits.par_chunks(size * size).flat_map_iter(classify_view).collect())
 }
 
 /// Returns whether a pixel with a number of connected neighbours is a surfel.
 pub(super) fn is_surfel(neighbours: u8) -> bool {
-    neighbours > MAX_NEIGHBOURS
+    neighbours > MAX_BALL_NEIGHBOURS
 }
 
 /// Counts the connected neighbours of each pixel of a view.
@@ -84,18 +87,15 @@ fn neighbour(pixel: usize, (columns, rows): (i64, i64), size: usize) -> Option<u
     (inside.contains(&column) && inside.contains(&row)).then(|| row as usize * size + column as usize)
 }
 
-/// Maximum number of connected neighbours of a ball.
-const MAX_NEIGHBOURS: u8 = 4;
-
-/// Returns the direct connections of pairs.
-fn pairs(view: &View, frame: Frame, format: &Format, bounds: &Bounds) -> Vec<u8> {
+/// Returns the connection bits of each pixel before the transitive closure.
+fn direct_connections(view: &View, frame: Frame, format: &Format, bounds: &Bounds) -> Vec<u8> {
     let size = format.size;
     let pixels = Pixels::new(view, frame, format, bounds);
-    let of_pixel = |pixel: usize| {
+    let bits_of_pixel = |pixel: usize| {
         let connects = |step| neighbour(pixel, step, size).is_some_and(|other| pixels.connect(pixel, other, step));
         (0..).zip(NEIGHBOURS).fold(0, |bits, (bit, step)| bits | u8::from(connects(step)) << bit)
     };
-    (0..format.pixels()).map(of_pixel).collect()
+    (0..format.pixels()).map(bits_of_pixel).collect()
 }
 
 /// Points and normals of a view's pixels, along the axes of the view.
@@ -115,13 +115,13 @@ impl<'a> Pixels<'a> {
         let pitch = frame.extents().as_vec3() / counts;
         let axes = frame.axes().map(|axis| axis.as_vec3());
         let in_view = |normal: Vec3| Vec3::from_array(axes.map(|axis| axis.dot(normal)));
-        let normals = view.iter().map(|texel| in_view(normals::decoded(texel.normal, format.normal_bits)));
+        let normals = view.iter().map(|texel| in_view(normals::decode(texel.normal, format.normal_bits)));
         Self { view, bounds, pitch, max_difference: bounds.depth * pitch.x.max(pitch.y), normals: normals.collect() }
     }
 
     #[inline]
-    fn connect(&self, one: usize, other: usize, (columns, rows): (i64, i64)) -> bool {
-        let [depth, other_depth] = [one, other].map(|pixel| i32::from(self.view[pixel].depth));
+    fn connect(&self, pixel: usize, other: usize, (columns, rows): (i64, i64)) -> bool {
+        let [depth, other_depth] = [pixel, other].map(|pixel| i32::from(self.view[pixel].depth));
         if depth == 0 || other_depth == 0 {
             return false;
         }
@@ -129,7 +129,7 @@ impl<'a> Pixels<'a> {
         if between.z.abs() >= self.max_difference {
             return false;
         }
-        let (n, m, unit) = (self.normals[one], self.normals[other], between.normalize());
+        let (n, m, unit) = (self.normals[pixel], self.normals[other], between.normalize());
         let (slope, other_slope) = (n.dot(unit), m.dot(unit));
         slope.abs() < self.bounds.slope
             && other_slope.abs() < self.bounds.slope
@@ -137,16 +137,17 @@ impl<'a> Pixels<'a> {
     }
 }
 
-/// Returns the connections of pairs, including those through other pixels of a block.
-fn closed(pairs: &[u8], size: usize) -> Vec<u8> {
+/// Adds the connections of pixels that are connected through other pixels of their block.
+fn close_blocks(direct: &[u8], size: usize) -> Vec<u8> {
     let closures: [u8; 64] = std::array::from_fn(|bits| closure(bits as u8));
-    let mut all = pairs.to_vec();
+    let mut all = direct.to_vec();
     for first in (0..size - 1).flat_map(|row| (0..size - 1).map(move |column| row * size + column)) {
         let block = [first, first + 1, first + size, first + size + 1];
-        let bits = (0..).zip(HOLDERS).fold(0, |bits, (n, (place, bit))| bits | (pairs[block[place]] >> bit & 1) << n);
+        let pair = |(pixel, bit): (usize, u8)| direct[block[pixel]] >> bit & 1;
+        let bits = (0..).zip(PAIR_BITS).fold(0, |bits, (n, stored)| bits | pair(stored) << n);
         let added = closures[usize::from(bits)] & !bits;
-        for (_, (place, bit)) in (0..).zip(HOLDERS).filter(|(n, _)| added >> n & 1 == 1) {
-            all[block[place]] |= 1 << bit;
+        for (_, (pixel, bit)) in (0..).zip(PAIR_BITS).filter(|(n, _)| added >> n & 1 == 1) {
+            all[block[pixel]] |= 1 << bit;
         }
     }
     all

@@ -19,7 +19,7 @@ pub struct Frame {
     pub toward: IVec3,
 }
 
-/// Returns the sum of a vector's absolute coordinates: the extent of a unit cube along it, times its length.
+/// Returns the sum of a vector's absolute coordinates: a unit cube's extent along it, times the vector's length.
 fn extent(axis: IVec3) -> i32 {
     axis.abs().element_sum()
 }
@@ -63,8 +63,8 @@ impl Frame {
         DQuat::from_mat3(&DMat3::from_cols(right, up, toward))
     }
 
-    /// Returns column and row of a child's first pixel in the parent's picture of 2 size × 2 size pixels; exact
-    /// only if the size is a multiple of 4.
+    /// Returns column and row of a child's first pixel in the parent's picture of 2 size × 2 size pixels. The size
+    /// must be a multiple of 4.
     pub fn place(&self, octant: IVec3, size: usize) -> (usize, usize) {
         let (size, doubled) = (size as i32, 2 * octant - IVec3::ONE);
         // In units of a child's side, the centres differ by doubled/2, that is by doubled · axis/(2 |axis|) along an

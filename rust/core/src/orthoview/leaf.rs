@@ -1,12 +1,12 @@
-//! Views of a leaf: its surfaces at twice the size, reduced by the kernel of parents; and the lines of sight along which
-//! viewers may see surfaces of a second layer.
+//! Views of a leaf, drawn at twice their size and reduced like those of parents. The second layer has only surfaces
+//! that are visible along certain lines of sight.
 
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::cell::{Cell, Sight};
+use super::cell::{Cell, OrthoCamera};
 use super::direction::Direction;
-use super::reduce::{Sample, reach, reduced_view};
+use super::reduce::{Sample, reach, reduce_view};
 use super::surfaces::{Drawing, Start, Surfaces};
 use super::view::{Format, Texel, View, Views};
 use crate::base::memory::room_for;
@@ -24,15 +24,15 @@ pub enum SurfaceMethod {
     Rays,
 }
 
-/// Bytes per drawn pixel of a thread: two layers of hits, or of images, and the start of the second.
+/// Bytes per drawn pixel of a thread: hits or images of both layers, and the start of the second.
 const DRAWN_BYTES: usize = 128;
 
 /// Triangles per pixel up to which rasterisation is faster than rays; measured by the benchmark `orthoview.views`.
 const MAX_TRIANGLES_PER_PIXEL: f64 = 0.5;
 
 impl Views {
-    /// Creates the views of a cell of a scene, with a second layer if `behind`. Surfaces beyond the cell's sides and
-    /// moving instances are excluded. Without a `method` the faster one is used.
+    /// Creates the views of a cell of a scene, with a second layer if `behind`. Surfaces outside the cell and moving
+    /// instances are excluded. Without a `method`, the faster one is chosen.
     pub fn of_cell(
         scene: &Scene,
         cell: &Cell,
@@ -52,47 +52,47 @@ impl Views {
         let (pixels, layer_count) = (format.pixels(), directions.len() * (1 + usize::from(behind)));
         let drawn_bytes = DRAWN_BYTES * 4 * pixels * rayon::current_num_threads();
         room_for((layer_count * pixels * size_of::<Texel>() + drawn_bytes) as u64)?;
-        let layers = |&direction: &Direction| {
-            let sight = &Sight::new(cell, direction.frame(), 2 * format.size);
-            let lines = behind.then(|| Lines::new(scene, cell, sight, directions)).transpose()?;
-            let drawing = Drawing { scene, cell, sight, step: step(sight, format) as f32, progress };
+        let draw_direction = |&direction: &Direction| {
+            let ortho = &OrthoCamera::new(cell, direction.frame(), 2 * format.size);
+            let lines = behind.then(|| Lines::new(scene, cell, ortho, directions)).transpose()?;
+            let drawing = Drawing { scene, cell, ortho, step: step(ortho, format) as f32, progress };
             match method.unwrap_or(faster) {
                 SurfaceMethod::Triangles => {
-                    layers(|start| drawing.by_triangles(start), lines.as_ref(), &drawing, format)
+                    draw_layers(|start| drawing.by_triangles(start), lines.as_ref(), &drawing, format)
                 }
-                SurfaceMethod::Rays => layers(|start| drawing.by_rays(start), lines.as_ref(), &drawing, format),
+                SurfaceMethod::Rays => draw_layers(|start| drawing.by_rays(start), lines.as_ref(), &drawing, format),
             }
         };
-        let layers: Vec<(View, Option<View>)> = directions.par_iter().map(layers).collect::<Result<_>>()?;
+        let layers: Vec<(View, Option<View>)> = directions.par_iter().map(draw_direction).collect::<Result<_>>()?;
         let (views, second): (_, Vec<_>) = layers.into_iter().unzip();
         Ok(Self::from_layers(directions, *format, (views, second.into_iter().collect())))
     }
 }
 
 /// Draws a view and, if there are lines of sight, its second layer.
-fn layers<S: Surfaces>(
+fn draw_layers<S: Surfaces>(
     draw: impl Fn(Option<&Start>) -> Result<S>,
     lines: Option<&Lines<'_>>,
     drawing: &Drawing<'_>,
     format: &Format,
 ) -> Result<(View, Option<View>)> {
     let first = draw(None)?;
-    let view = coded(&first, None, drawing, format);
+    let view = encode_view(&first, None, drawing, format);
     if lines.is_none() {
         return Ok((view, None));
     }
-    let step = step(drawing.sight, format);
-    let gap = f64::from(reach(drawing.sight.pixel(), step)) * step;
+    let step = step(drawing.ortho, format);
+    let gap = f64::from(reach(drawing.ortho.pixel(), step)) * step;
     let start = Start::from_first_ranges((0..4 * format.pixels()).map(|pixel| first.range(pixel)), gap as f32);
     drop(first);
-    let behind = coded(&draw(Some(&start))?, lines, drawing, format);
+    let behind = encode_view(&draw(Some(&start))?, lines, drawing, format);
     drawing.progress.check()?;
     Ok((view, Some(behind)))
 }
 
 /// Returns the length of a depth step of a picture, metres.
-fn step(sight: &Sight, format: &Format) -> f64 {
-    sight.extents.z / f64::from(format.steps)
+fn step(ortho: &OrthoCamera, format: &Format) -> f64 {
+    ortho.extents.z / f64::from(format.steps)
 }
 
 /// Encodes a view; with `lines`, only surfaces visible along them. After a cancellation the view is incomplete.
@@ -100,8 +100,8 @@ fn step(sight: &Sight, format: &Format) -> f64 {
 /// One function for both layers, because the compiler inlines a sampler with a single call site, which saves a tenth
 /// of a leaf's time.
 #[inline(never)]
-fn coded<S: Surfaces>(surfaces: &S, lines: Option<&Lines<'_>>, drawing: &Drawing<'_>, format: &Format) -> View {
-    let Drawing { sight, progress, .. } = *drawing;
+fn encode_view<S: Surfaces>(surfaces: &S, lines: Option<&Lines<'_>>, drawing: &Drawing<'_>, format: &Format) -> View {
+    let Drawing { ortho, progress, .. } = *drawing;
     let samplers = || {
         let mut sample = surfaces.sampler();
         move |pixel| {
@@ -113,17 +113,17 @@ fn coded<S: Surfaces>(surfaces: &S, lines: Option<&Lines<'_>>, drawing: &Drawing
     };
     // A depth at the end of the range, or rounded beyond it, belongs to the last step.
     let depth = |sample: &Sample| (sample.depth as u32).saturating_add(1).min(format.steps);
-    reduced_view(samplers, reach(sight.pixel(), step(sight, format)), depth, format)
+    reduce_view(samplers, reach(ortho.pixel(), step(ortho, format)), depth, format)
 }
 
 /// Cosine above which two directions count as equal.
 const SAME_DIRECTION: f64 = 1.0 - 1e-9;
 
-/// Lines half-way between a view's direction and others at most 90° from it, towards the viewer. They represent all
-/// lines along which the view is used; lines that have their own view are omitted.
+/// Lines of sight from a surface towards possible viewers of a view: half-way between the view's direction and each
+/// other direction at most 90° away. A line that coincides with another view's direction is omitted.
 struct Lines<'a> {
     scene: &'a Scene,
-    sight: &'a Sight,
+    ortho: &'a OrthoCamera,
     /// Limits of the cell, relative to the scene's origin.
     limits: Limits,
     /// Possible error of surface positions, metres.
@@ -133,25 +133,24 @@ struct Lines<'a> {
 }
 
 impl<'a> Lines<'a> {
-    /// Creates the lines of one picture's direction among all directions. The scene must have been built.
-    fn new(scene: &'a Scene, cell: &Cell, sight: &'a Sight, directions: &[Direction]) -> Result<Self> {
-        let (toward, all) = (-sight.direction(), directions.iter().map(|direction| direction.frame().axes()[2]));
+    /// Creates the lines of one camera; `directions` are those of all views. The scene must have been built.
+    fn new(scene: &'a Scene, cell: &Cell, ortho: &'a OrthoCamera, directions: &[Direction]) -> Result<Self> {
+        let (toward, all) = (-ortho.direction(), directions.iter().map(|direction| direction.frame().axes()[2]));
         let others = all.clone().filter(|other| toward.dot(*other) > -1e-9 && toward.dot(*other) < SAME_DIRECTION);
         let is_new = |line: &DVec3| all.clone().all(|other| other.dot(*line) < SAME_DIRECTION);
         let mut lines: Vec<DVec3> = others.map(|other| (toward + other).normalize()).filter(is_new).collect();
-        lines.sort_by(|one, other| toward.dot(*other).total_cmp(&toward.dot(*one)));
+        lines.sort_by(|a, b| toward.dot(*b).total_cmp(&toward.dot(*a)));
         let limits = cell.limits(scene.origin)?.relative_to(scene.origin);
-        Ok(Self { scene, sight, limits, margin: cell.margin(scene.origin), lines })
+        Ok(Self { scene, ortho, limits, margin: cell.margin(scene.origin), lines })
     }
 
-    /// Returns whether a pixel's surface is visible along a line that it faces. `step` is the length of a depth step,
-    /// metres.
+    /// Returns whether a pixel's surface is visible along a line that it faces. `step` is a depth step, metres.
     fn sees(&self, pixel: usize, sample: &Sample, step: f32) -> bool {
-        let point = self.sight.point_of_pixel(pixel, f64::from(sample.depth * step)) - self.scene.origin;
+        let point = self.ortho.point_of_pixel(pixel, f64::from(sample.depth * step)) - self.scene.origin;
         let normal = sample.normal.as_dvec3();
         self.lines.iter().any(|&line| {
             let cosine = normal.dot(line);
-            // The surface itself intersects the line only up to this distance.
+            // Up to this distance the line may hit the surface itself.
             cosine > 0.0 && self.is_free(point, line, self.margin / cosine)
         })
     }
@@ -168,11 +167,10 @@ impl<'a> Lines<'a> {
 
 #[cfg(test)]
 mod tests {
-
     use super::*;
 
     /// Returns the four sides, the top and the upper edges.
-    fn nine() -> Vec<Direction> {
+    fn nine_directions() -> Vec<Direction> {
         let sides = [[0, 0, 1], [1, 0, 0], [0, 0, -1], [-1, 0, 0]];
         let edges = sides.map(|[x, _, z]| [x, 1, z]);
         sides.into_iter().chain([[0, 1, 0]]).chain(edges).map(|numbers| Direction::new(numbers).unwrap()).collect()
@@ -183,10 +181,10 @@ mod tests {
         let scene = Scene::of_instances(vec![], vec![]);
         let cell = Cell::new(DVec3::ZERO, 1.0).unwrap();
         let lines = |n: usize, directions: &[Direction]| {
-            let sight = Sight::new(&cell, directions[n].frame(), 8);
-            Lines::new(&scene, &cell, &sight, directions).unwrap().lines
+            let ortho = OrthoCamera::new(&cell, directions[n].frame(), 8);
+            Lines::new(&scene, &cell, &ortho, directions).unwrap().lines
         };
-        let all = nine();
+        let all = nine_directions();
         // From the top half-way to the four edges; lines half-way to the sides coincide with the edges.
         let top = lines(4, &all);
         let angles: Vec<f64> = top.iter().map(|line| line.y.acos().to_degrees()).collect();

@@ -1,8 +1,9 @@
 //! Orthoviews (Chaudhuri et al.): an octree of orthographic depth images of a world.
 //!
-//! A leaf is a cubic cell of side s, a parent the eight cells of half its side. Each cell has a view from each of some
-//! canonical directions: q × q pixels that cover its projection tightly, so the pixels of a child lie on those of its
-//! parent's picture at twice the size. Colours are sRGB bytes, depths codes of equal steps, normals octahedral codes.
+//! Cells are cubes; a parent consists of eight children of half its side. Each cell has one view for each canonical
+//! direction of the tree: q × q pixels that cover the cell's projection exactly. A parent is first drawn with 2 q × 2 q
+//! pixels, which coincide with its children's pixels. A pixel stores a colour as sRGB bytes, a depth quantised in
+//! equal steps, and an octahedrally encoded normal.
 
 mod cell;
 mod connect;

@@ -4,21 +4,21 @@
 use glam::Vec3;
 
 /// Encodes a unit normal as two integers of `bits` bits each.
-pub fn encoded(normal: Vec3, bits: u32) -> [u16; 2] {
+pub fn encode(normal: Vec3, bits: u32) -> [u16; 2] {
     let normal = normal / normal.abs().element_sum();
     let (x, y) = if normal.z >= 0.0 {
         (normal.x, normal.y)
     } else {
         ((1.0 - normal.y.abs()).copysign(normal.x), (1.0 - normal.x.abs()).copysign(normal.y))
     };
-    // The largest code, 2^bits − 1, is unused: with an even number of steps 0 has a code, so that axes are exact.
+    // The largest code, 2^bits − 1, is unused: an even number of steps gives 0 a code, so that axes are exact.
     let steps = ((1u32 << bits) - 2) as f32;
     let code = |value: f32| ((value * 0.5 + 0.5) * steps + 0.5) as u16;
     [code(x), code(y)]
 }
 
 /// Decodes two integers to a unit normal.
-pub fn decoded(code: [u16; 2], bits: u32) -> Vec3 {
+pub fn decode(code: [u16; 2], bits: u32) -> Vec3 {
     let steps = ((1u32 << bits) - 2) as f32;
     let [x, y] = code.map(|number| f32::from(number) / steps * 2.0 - 1.0);
     let z = 1.0 - x.abs() - y.abs();
@@ -39,13 +39,13 @@ mod tests {
             for i in 0..200_000u64 {
                 let draw = |n| random::uniform(7, n, i) as f32 * 2.0 - 1.0;
                 let normal = Vec3::new(draw(0), draw(1), draw(2)).normalize_or(Vec3::X);
-                let back = decoded(encoded(normal, bits), bits);
+                let back = decode(encode(normal, bits), bits);
                 worst = worst.max(back.cross(normal).length().asin().to_degrees());
                 assert!(back.dot(normal) > 0.0);
             }
             assert!(worst < limit, "{bits} bits: {worst}°");
             for axis in [Vec3::X, Vec3::Y, Vec3::Z, Vec3::NEG_X, Vec3::NEG_Y, Vec3::NEG_Z] {
-                assert_eq!(decoded(encoded(axis, bits), bits), axis);
+                assert_eq!(decode(encode(axis, bits), bits), axis);
             }
         }
     }

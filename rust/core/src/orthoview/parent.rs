@@ -5,7 +5,7 @@ use rayon::prelude::*;
 
 use super::direction::Direction;
 use super::normals;
-use super::reduce::{Sample, reach, reduced_view};
+use super::reduce::{Sample, reach, reduce_view};
 use super::view::{Format, Texel, View, Views};
 use crate::base::memory::room_for_values;
 use crate::base::{Result, ensure};
@@ -16,7 +16,7 @@ use crate::scene::srgb::linear_from_srgb;
 struct ParentPixel {
     /// The child's pixel.
     texel: Texel,
-    /// Depth in the parent's range in steps of the child's length, from 1; 0 for no surface.
+    /// Depth in the parent's range, in steps of the child's length from 1 on; 0 for no surface.
     step: u32,
 }
 
@@ -26,8 +26,8 @@ pub struct Parent {
     format: Format,
     /// Picture at twice the size of a view, for each direction.
     pictures: Vec<Vec<ParentPixel>>,
-    /// Children and their octants, for a second layer. It contains pixels that lie more than a gap behind the first
-    /// surfaces, which are known only after all children are drawn.
+    /// Children and their octants, if there is a second layer. It can be drawn only when all first surfaces are known,
+    /// because it has the pixels more than a gap behind them.
     children: Option<Vec<(IVec3, Views)>>,
 }
 
@@ -39,8 +39,8 @@ impl Parent {
         Ok(Self { directions, format, pictures, children: has_second_layer.then(Vec::new) })
     }
 
-    /// Draws a child, whose position is 0 or 1 along each axis. At equal depths the child drawn first wins, so callers
-    /// must use one order.
+    /// Draws a child; `octant` is its position, 0 or 1 along each axis. At equal depths the child drawn first wins, so
+    /// callers must add children in a fixed order.
     pub fn add(&mut self, octant: [u8; 3], child: &Views) -> Result<()> {
         let is_octant = octant.iter().all(|&coordinate| coordinate <= 1);
         ensure!(is_octant, "octant", "0 or 1 along each axis", format!("{octant:?}"));
@@ -59,7 +59,7 @@ impl Parent {
 
     /// Returns the views from the children drawn so far.
     pub fn finish(&self) -> Result<Views> {
-        // Views of both layers, and pictures of the second one by each thread.
+        // The views of both layers, and one picture of the second layer per thread.
         let pixels = self.format.pixels();
         room_for_values::<[Texel; 2]>(pixels * self.directions.len())?;
         room_for_values::<[ParentPixel; 4]>(pixels * rayon::current_num_threads())?;
@@ -92,8 +92,8 @@ fn blank(format: &Format) -> Vec<ParentPixel> {
     vec![ParentPixel::default(); 4 * format.pixels()]
 }
 
-/// Draws a child's view into its parent's picture. `accepts` decides whether a surface is drawn, from
-/// its pixel's index and its step in the parent's depth range.
+/// Draws those surfaces of a child's view into its parent's picture that `accepts` accepts, given the pixel's index
+/// and the step in the parent's depth range.
 fn draw(
     view: &View,
     direction: Direction,
@@ -132,10 +132,10 @@ fn reduce_picture(picture: &[ParentPixel], direction: Direction, format: &Format
         (step > 0).then(|| Sample {
             depth: step as f32,
             color: Vec3::from_array(texel.color.map(|code| linear[usize::from(code)])),
-            normal: normals::decoded(texel.normal, format.normal_bits),
+            normal: normals::decode(texel.normal, format.normal_bits),
         })
     };
-    reduced_view(|| sample, reach_of(direction, format), |sample| (sample.depth as u32).div_ceil(2), format)
+    reduce_view(|| sample, reach_of(direction, format), |sample| (sample.depth as u32).div_ceil(2), format)
 }
 
 #[cfg(test)]
@@ -143,7 +143,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_nearer_child_pushes_the_first_surface_back_and_what_is_within_the_gap_is_lost_to_neither_order() {
+    fn a_nearer_child_moves_the_surface_of_a_farther_one_to_the_second_layer_in_either_order() {
         let format = Format::new(4, 12, 16).unwrap();
         let directions = vec![Direction::new([0, 0, 1]).unwrap()];
         let child = |depth: u16| {
@@ -152,7 +152,7 @@ mod tests {
         };
         let gap = reach_of(directions[0], &format) as u16;
         assert_eq!(u32::from(gap), format.steps);
-        // Surfaces of the far child, in both layers, lie before and behind the end of the gap behind the near child's.
+        // The far child's first surface lies within the gap behind the near child's, its second surface beyond the gap.
         let near = child(5);
         let far = child(3).with_behind(&child(8)).unwrap();
         for order in [[1, 0], [0, 1]] {

@@ -1,11 +1,11 @@
-//! Rasterisation of a cell's first surfaces along parallel rays. For few triangles this is faster than rays, which
-//! need a search tree and a search per pixel.
+//! Rasterisation of a cell's first surfaces along parallel rays. For few triangles this is faster than ray tracing,
+//! which needs a bounding volume hierarchy and a traversal per pixel.
 
 use std::ops::Range;
 
 use glam::{DVec2, DVec3};
 
-use super::cell::{Cell, Sight};
+use super::cell::{Cell, OrthoCamera};
 use crate::base::{Progress, Result};
 use crate::scene::{Instance, Scene};
 use crate::trace::Hit;
@@ -13,17 +13,17 @@ use crate::trace::Hit;
 /// Triangles between two checks for cancellation.
 const TRIANGLES_PER_CHECK: u32 = 1 << 12;
 
-/// Returns the first hit of each pixel's ray within the cell, with the distance from the front of the depth range.
-/// `accepts_face` selects faces by instance and face number, `accepts_depth` distances by pixel.
+/// Returns the first hit of each pixel's ray within the cell; distances begin at the front of the depth range.
+/// `accepts_face` gets the numbers of an instance and a face, `accepts_depth` a pixel and a distance.
 pub fn first_hits(
     scene: &Scene,
     cell: &Cell,
-    sight: &Sight,
+    ortho: &OrthoCamera,
     accepts_face: impl Fn(u32, u32) -> bool,
     accepts_depth: impl Fn(usize, f32) -> bool,
     progress: &Progress,
 ) -> Result<Vec<Hit>> {
-    let mut raster = Raster::new(scene, cell, sight);
+    let mut raster = Raster::new(scene, cell, ortho);
     for (number, instance) in (0..).zip(scene.instances()) {
         for face in 0..instance.mesh.faces.len() as u32 {
             if face % TRIANGLES_PER_CHECK == 0 {
@@ -39,7 +39,7 @@ pub fn first_hits(
 
 struct Raster<'a> {
     scene: &'a Scene,
-    sight: &'a Sight,
+    ortho: &'a OrthoCamera,
     /// Minimum and maximum corner of the visible volume, relative to the scene's origin.
     low: DVec3,
     high: DVec3,
@@ -56,11 +56,11 @@ struct Projected {
 }
 
 impl<'a> Raster<'a> {
-    fn new(scene: &'a Scene, cell: &Cell, sight: &'a Sight) -> Self {
+    fn new(scene: &'a Scene, cell: &Cell, ortho: &'a OrthoCamera) -> Self {
         let (low, high) = cell.bounds_with_margin(scene.origin);
-        let hits = vec![Hit::MISS; sight.pixels * sight.pixels];
+        let hits = vec![Hit::MISS; ortho.pixels * ortho.pixels];
         let (low, high) = (low - scene.origin, high - scene.origin);
-        Self { scene, sight, low, high, has_cutouts: scene.has_cutouts(), hits }
+        Self { scene, ortho, low, high, has_cutouts: scene.has_cutouts(), hits }
     }
 
     fn draw(&mut self, number: u32, instance: &Instance, face: u32, accepts_depth: &impl Fn(usize, f32) -> bool) {
@@ -76,11 +76,11 @@ impl<'a> Raster<'a> {
             return;
         }
         let edges = triangle.edges();
-        let (rows, columns) = triangle.pixels(self.sight.pixels);
+        let (rows, columns) = triangle.pixels(self.ortho.pixels);
         for row in rows {
-            let line = edges.map(|edge| edge.at_row(row as f64 + 0.5));
-            for column in span(&line, &columns) {
-                let weights = line.map(|line| line.value(column as f64 + 0.5));
+            let row_edges = edges.map(|edge| edge.at_row(row as f64 + 0.5));
+            for column in span(&row_edges, &columns) {
+                let weights = row_edges.map(|edge| edge.value(column as f64 + 0.5));
                 // Their sum is the area up to rounding, and pure rounding for an edge-on triangle.
                 let sum = weights.iter().sum::<f64>();
                 if sum == 0.0 || weights.iter().any(|&weight| weight < 0.0) {
@@ -88,13 +88,13 @@ impl<'a> Raster<'a> {
                 }
                 let barycentric = weights.map(|weight| weight / sum);
                 let depth = (0..3).map(|n| barycentric[n] * triangle.depths[n]).sum::<f64>() as f32;
-                let pixel = row * self.sight.pixels + column;
+                let pixel = row * self.ortho.pixels + column;
                 // At equal depths the lower triangle number stays: it was drawn first.
                 if depth >= self.hits[pixel].t || !accepts_depth(pixel, depth) {
                     continue;
                 }
                 let point = || (0..3).map(|n| corners[n] * barycentric[n]).sum::<DVec3>();
-                if !is_inside && !self.holds(point()) {
+                if !is_inside && !self.contains(point()) {
                     continue;
                 }
                 let (u, v) = (barycentric[1] as f32, barycentric[2] as f32);
@@ -106,28 +106,29 @@ impl<'a> Raster<'a> {
         }
     }
 
-    fn holds(&self, point: DVec3) -> bool {
+    fn contains(&self, point: DVec3) -> bool {
         point.cmpge(self.low).all() && point.cmple(self.high).all()
     }
 
     fn project(&self, corners: [DVec3; 3]) -> Projected {
-        let placed = corners.map(|corner| self.sight.project(corner + self.scene.origin));
+        let placed = corners.map(|corner| self.ortho.project(corner + self.scene.origin));
         let corners = placed.map(DVec3::truncate);
         let doubled_area = (corners[1] - corners[0]).perp_dot(corners[2] - corners[0]);
         Projected { corners, depths: placed.map(|place| place.z), doubled_area }
     }
 }
 
-/// Line through two corners: a point's distance times the length of the side, positive inside the triangle.
+/// Edge function of two corners: a point's signed distance from the line through them, times the length of the side;
+/// positive inside the triangle.
 #[derive(Clone, Copy)]
 struct Edge {
     from: DVec2,
     vector: DVec2,
 }
 
-/// Value of an edge in one row: constant part and factor of the column.
+/// Edge function along one row: start − step · (x − from).
 #[derive(Clone, Copy)]
-struct Line {
+struct EdgeInRow {
     start: f64,
     step: f64,
     from: f64,
@@ -157,25 +158,24 @@ impl Projected {
 }
 
 impl Edge {
-    fn at_row(&self, y: f64) -> Line {
-        Line { start: self.vector.x * (y - self.from.y), step: self.vector.y, from: self.from.x }
+    fn at_row(&self, y: f64) -> EdgeInRow {
+        EdgeInRow { start: self.vector.x * (y - self.from.y), step: self.vector.y, from: self.from.x }
     }
 }
 
-impl Line {
+impl EdgeInRow {
     #[inline]
     fn value(&self, x: f64) -> f64 {
         self.start - self.step * (x - self.from)
     }
 }
 
-/// Returns the columns in which all lines may be positive, with a spare pixel at either end, because the division
-/// rounds.
-fn span(lines: &[Line; 3], columns: &Range<usize>) -> Range<usize> {
+/// Returns the columns in which all edge functions may be positive, and one more at either end due to rounding.
+fn span(edges: &[EdgeInRow; 3], columns: &Range<usize>) -> Range<usize> {
     let (mut first, mut end) = (columns.start, columns.end);
-    for line in lines.iter().filter(|line| line.step != 0.0) {
-        let zero = line.from + line.start / line.step - 0.5;
-        if line.step < 0.0 {
+    for edge in edges.iter().filter(|edge| edge.step != 0.0) {
+        let zero = edge.from + edge.start / edge.step - 0.5;
+        if edge.step < 0.0 {
             first = first.max((zero.floor() - 1.0).clamp(0.0, end as f64) as usize);
         } else {
             end = end.min((zero.ceil() + 2.0).clamp(0.0, end as f64) as usize);

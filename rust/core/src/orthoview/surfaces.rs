@@ -1,11 +1,11 @@
 //! Surfaces shown by a picture of a cell, found by rasterisation or by rays.
 //!
-//! Second surfaces are, for each pixel, the nearest viewer-facing surface more than a gap behind the first. Back faces,
-//! the insides of closed surfaces, are skipped.
+//! A pixel's second surface is the nearest one that faces the viewer and lies more than a gap behind the first. Back
+//! faces are skipped, because they are the insides of closed surfaces.
 
 use glam::DVec3;
 
-use super::cell::{Cell, Sight};
+use super::cell::{Cell, OrthoCamera};
 use super::raster;
 use super::reduce::Sample;
 use crate::base::{Progress, Result};
@@ -21,11 +21,11 @@ fn channels() -> Channels {
     Channels { range: true, normal: true, albedo: true, ..Channels::default() }
 }
 
-/// Scene, cell and picture to draw.
+/// Scene and cell to draw, and the camera.
 pub struct Drawing<'a> {
     pub scene: &'a Scene,
     pub cell: &'a Cell,
-    pub sight: &'a Sight,
+    pub ortho: &'a OrthoCamera,
     /// Length of a depth step, metres.
     pub step: f32,
     pub progress: &'a Progress,
@@ -55,34 +55,34 @@ pub struct ByTriangles<'a> {
 }
 
 impl<'a> Drawing<'a> {
-    /// Finds the first surfaces or, with `start`, the first viewer-facing ones beyond each pixel's start. The scene
-    /// must have been built for the latter.
+    /// Finds the first surfaces or, with `start`, the first ones beyond each pixel's start that face the viewer. With
+    /// `start`, the scene must have been built.
     pub fn by_rays(&self, start: Option<&Start>) -> Result<ByRays> {
-        let Self { scene, cell, sight, step, progress } = *self;
-        let (camera, limits) = (&sight.camera()?, cell.limits(scene.origin)?);
+        let Self { scene, cell, ortho, step, progress } = *self;
+        let (camera, limits) = (&ortho.camera()?, cell.limits(scene.origin)?);
         let Some(start) = start else {
             let picture = truth::render(scene, camera, channels(), 1, limits, Pixels::default(), progress)?;
             return Ok(ByRays { picture, step });
         };
         let pixels = Pixels { mask: Some(&start.mask), ..Pixels::default() };
         let view = RenderView { camera, origin: scene.origin, channels: channels(), samples: 1, limits, pixels };
-        let filter = AlphaFilter::new(scene, FrontFaces::new(scene, sight));
-        let picture = draw(&view, &LateRays { truth: Truth { scene, filter: &filter }, start }, progress)?;
+        let filter = AlphaFilter::new(scene, FrontFaces::new(scene, ortho));
+        let picture = draw(&view, &SecondSurfaces { truth: Truth { scene, filter: &filter }, start }, progress)?;
         Ok(ByRays { picture, step })
     }
 
     /// Finds the same surfaces by rasterisation; the scene need not be built.
     pub fn by_triangles(&'a self, start: Option<&Start>) -> Result<ByTriangles<'a>> {
-        let Self { scene, cell, sight, progress, .. } = *self;
+        let Self { scene, cell, ortho, progress, .. } = *self;
         let hits = match start {
-            None => raster::first_hits(scene, cell, sight, |_, _| true, |_, _| true, progress)?,
+            None => raster::first_hits(scene, cell, ortho, |_, _| true, |_, _| true, progress)?,
             Some(start) => {
-                let fronts = FrontFaces::new(scene, sight);
-                let counts = |pixel, depth| start.holds(pixel, depth);
-                raster::first_hits(scene, cell, sight, |instance, face| fronts.holds(instance, face), counts, progress)?
+                let fronts = FrontFaces::new(scene, ortho);
+                let is_front = |instance, face| fronts.contains(instance, face);
+                raster::first_hits(scene, cell, ortho, is_front, |pixel, depth| start.accepts(pixel, depth), progress)?
             }
         };
-        let width = sight.camera()?.rays().footprint(0.0, 0.0, 1.0).width;
+        let width = ortho.camera()?.rays().footprint(0.0, 0.0, 1.0).width;
         Ok(ByTriangles { drawing: self, width, hits })
     }
 }
@@ -110,8 +110,8 @@ impl Surfaces for ByTriangles<'_> {
     }
 
     fn sampler(&self) -> impl FnMut(usize) -> Option<Sample> {
-        let Drawing { scene, sight, step, .. } = *self.drawing;
-        let (hits, width, direction) = (&self.hits[..], self.width, sight.direction().as_vec3());
+        let Drawing { scene, ortho, step, .. } = *self.drawing;
+        let (hits, width, direction) = (&self.hits[..], self.width, ortho.direction().as_vec3());
         // Neighbouring pixels usually show the same face.
         let mut last: Option<Facet> = None;
         move |pixel| {
@@ -120,7 +120,7 @@ impl Surfaces for ByTriangles<'_> {
                 return None;
             }
             let facet = match last {
-                Some(facet) if facet.holds(&hit) => facet,
+                Some(facet) if facet.contains(&hit) => facet,
                 _ => *last.insert(Facet::new(scene, hit.instance, hit.face)),
             };
             let sample = facet.surface((hit.u, hit.v), direction).sample(scene, hit.t, || width, channels());
@@ -132,7 +132,7 @@ impl Surfaces for ByTriangles<'_> {
 /// Start of the search for each pixel's second surface.
 pub struct Start {
     /// Minimum distance from the front of the range, metres; infinite for pixels without a first surface.
-    least: Vec<f32>,
+    min_range: Vec<f32>,
     /// Whether a pixel has a first surface.
     mask: Vec<bool>,
 }
@@ -140,15 +140,15 @@ pub struct Start {
 impl Start {
     /// Starts more than a gap behind the first surfaces, given their distances; metres.
     pub fn from_first_ranges(first: impl Iterator<Item = f32>, gap: f32) -> Self {
-        let least: Vec<f32> = first.map(|range| (range + gap).next_up()).collect();
-        let mask = least.iter().map(|least| least.is_finite()).collect();
-        Self { least, mask }
+        let min_range: Vec<f32> = first.map(|range| (range + gap).next_up()).collect();
+        let mask = min_range.iter().map(|range| range.is_finite()).collect();
+        Self { min_range, mask }
     }
 
     /// Returns whether a distance is beyond a pixel's start.
     #[inline]
-    fn holds(&self, pixel: usize, distance: f32) -> bool {
-        distance >= self.least[pixel]
+    fn accepts(&self, pixel: usize, distance: f32) -> bool {
+        distance >= self.min_range[pixel]
     }
 }
 
@@ -159,12 +159,12 @@ struct FrontFaces<'a> {
 }
 
 impl<'a> FrontFaces<'a> {
-    fn new(scene: &'a Scene, sight: &Sight) -> Self {
-        Self { scene, toward: -sight.direction() }
+    fn new(scene: &'a Scene, ortho: &OrthoCamera) -> Self {
+        Self { scene, toward: -ortho.direction() }
     }
 
     #[inline]
-    fn holds(&self, instance: u32, face: u32) -> bool {
+    fn contains(&self, instance: u32, face: u32) -> bool {
         let [a, b, c] = self.scene.instance(instance).corners(face).map(|corner| corner.as_dvec3());
         (b - a).cross(c - a).dot(self.toward) > 0.0
     }
@@ -172,20 +172,20 @@ impl<'a> FrontFaces<'a> {
 
 impl HitFilter for FrontFaces<'_> {
     fn face_hits(&self, instance: u32, face: u32) -> FaceHits {
-        if self.holds(instance, face) { FaceHits::All } else { FaceHits::None }
+        if self.contains(instance, face) { FaceHits::All } else { FaceHits::None }
     }
 }
 
-/// A picture along rays that start behind the first surfaces.
-struct LateRays<'a> {
+/// A picture of second surfaces: its rays start behind the first ones.
+struct SecondSurfaces<'a> {
     truth: Truth<'a>,
     start: &'a Start,
 }
 
-impl Picture for LateRays<'_> {
+impl Picture for SecondSurfaces<'_> {
     fn trace(&self, rays: &mut [Ray], hits: &mut [Hit], spots: &Spots<'_>) {
         for (n, ray) in rays.iter_mut().enumerate() {
-            ray.t_min = ray.t_min.max(self.start.least[spots.index(n)]);
+            ray.t_min = ray.t_min.max(self.start.min_range[spots.index(n)]);
         }
         self.truth.trace(rays, hits, spots);
     }
@@ -207,6 +207,6 @@ mod tests {
     fn second_surfaces_lie_more_than_a_gap_behind_first_ones() {
         let start = Start::from_first_ranges([2.0, f32::INFINITY].into_iter(), 0.5);
         assert_eq!(start.mask, [true, false]);
-        assert!(!start.holds(0, 2.5) && start.holds(0, 2.5f32.next_up()) && !start.holds(1, f32::MAX));
+        assert!(!start.accepts(0, 2.5) && start.accepts(0, 2.5f32.next_up()) && !start.accepts(1, f32::MAX));
     }
 }

@@ -3,60 +3,61 @@
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::cell::{Cell, Sight};
+use super::cell::{Cell, OrthoCamera};
 use super::reduce::reach;
 use super::view::{Format, Texel, View, Views};
 
 /// Returns, for each direction, the number of the second layer's pixels that no first-layer view shows, divided by the
 /// number of the first layer's pixels with a surface.
 ///
-/// A view shows a point if the depth of one of the 3 × 3 pixels around its position is within the reach of one
-/// surface.
+/// A view shows a point if one of the 3 × 3 pixels around the point's position has a depth at most `reduce::reach`
+/// from the point's.
 pub fn unseen(views: &Views) -> Vec<f32> {
     let Some(behind) = views.second_layer() else { return vec![0.0; views.directions.len()] };
     // Ratios do not depend on the cell.
     let cell = Cell { corner: DVec3::ZERO, side: 1.0 };
-    let sights = views.directions.iter().map(|direction| Sight::new(&cell, direction.frame(), views.format.size));
-    let firsts: Vec<First> =
-        sights.zip(views.views()).map(|(sight, view)| First::new(sight, view, &views.format)).collect();
-    let ratio = |(first, behind): (&First<'_>, &View)| {
+    let cameras =
+        views.directions.iter().map(|direction| OrthoCamera::new(&cell, direction.frame(), views.format.size));
+    let first_views: Vec<FirstView> =
+        cameras.zip(views.views()).map(|(ortho, view)| FirstView::new(ortho, view, &views.format)).collect();
+    let ratio = |(first, behind): (&FirstView<'_>, &View)| {
         let is_unseen = |&pixel: &usize| {
             let texel = &behind[pixel];
             let point = first.point(pixel, texel);
-            texel.depth > 0 && !firsts.iter().any(|first| first.shows(point))
+            texel.depth > 0 && !first_views.iter().any(|first| first.shows(point))
         };
         let unseen_count = (0..behind.len()).into_par_iter().filter(is_unseen).count();
         let surface_count = first.view.iter().filter(|texel| texel.depth > 0).count();
         unseen_count as f32 / surface_count.max(1) as f32
     };
-    firsts.par_iter().zip(behind.views()).map(ratio).collect()
+    first_views.par_iter().zip(behind.views()).map(ratio).collect()
 }
 
 /// A view of the first layer.
-struct First<'a> {
-    sight: Sight,
+struct FirstView<'a> {
+    ortho: OrthoCamera,
     view: &'a View,
     /// Length of a step, in sides of the cell.
     step: f64,
-    /// Maximum depth difference of one surface, in steps.
+    /// Maximum depth difference of points of one surface, in steps.
     reach: f64,
 }
 
-impl<'a> First<'a> {
-    fn new(sight: Sight, view: &'a View, format: &Format) -> Self {
-        let step = sight.extents.z / f64::from(format.steps);
+impl<'a> FirstView<'a> {
+    fn new(ortho: OrthoCamera, view: &'a View, format: &Format) -> Self {
+        let step = ortho.extents.z / f64::from(format.steps);
         // Reach of the picture at twice the size from which the view was reduced.
-        Self { sight, view, step, reach: f64::from(reach(sight.pixel() / 2.0, step)) }
+        Self { ortho, view, step, reach: f64::from(reach(ortho.pixel() / 2.0, step)) }
     }
 
     /// Returns the point of a pixel in the middle of its depth step.
     fn point(&self, pixel: usize, texel: &Texel) -> DVec3 {
-        self.sight.point_of_pixel(pixel, (f64::from(texel.depth) - 0.5) * self.step)
+        self.ortho.point_of_pixel(pixel, (f64::from(texel.depth) - 0.5) * self.step)
     }
 
     fn shows(&self, point: DVec3) -> bool {
-        let place = self.sight.project(point);
-        let (size, code) = (self.sight.pixels as i64, place.z / self.step + 0.5);
+        let place = self.ortho.project(point);
+        let (size, code) = (self.ortho.pixels as i64, place.z / self.step + 0.5);
         let neighbourhood = |value: f64| {
             let pixel = (value as i64).min(size - 1);
             (pixel - 1).max(0)..(pixel + 2).min(size)
@@ -89,13 +90,14 @@ mod tests {
         let (down, up) = ([0, 1, 0], [0, -1, 0]);
         let steps = views(&[], &[]).format.steps as u16;
         // A floor 1,500 steps below the top, under a roof 10 steps below it.
-        let from = |below: u16| views(&[down, up], &[10, below]).with_behind(&views(&[down, up], &[1500, 0])).unwrap();
-        assert_eq!(unseen(&from(0)), [1.0, 0.0]);
-        assert_eq!(unseen(&from(steps + 1 - 1500)), [0.0, 0.0]);
-        // A surface reaches two of eight pixels in depth.
+        let with_depth_from_below =
+            |depth: u16| views(&[down, up], &[10, depth]).with_behind(&views(&[down, up], &[1500, 0])).unwrap();
+        assert_eq!(unseen(&with_depth_from_below(0)), [1.0, 0.0]);
+        assert_eq!(unseen(&with_depth_from_below(steps + 1 - 1500)), [0.0, 0.0]);
+        // The reach is two pixel widths, a quarter of the cell.
         let reach = steps / 4;
-        assert_eq!(unseen(&from(steps + 1 - 1500 + reach)), [0.0, 0.0]);
-        assert_eq!(unseen(&from(steps + 2 - 1500 + reach)), [1.0, 0.0]);
+        assert_eq!(unseen(&with_depth_from_below(steps + 1 - 1500 + reach)), [0.0, 0.0]);
+        assert_eq!(unseen(&with_depth_from_below(steps + 2 - 1500 + reach)), [1.0, 0.0]);
     }
 
     #[test]
@@ -104,11 +106,11 @@ mod tests {
         first[..4].fill(Texel { depth: 3, ..Texel::default() });
         let mut second = vec![Texel::default(); SIZE * SIZE];
         second[0].depth = 3000;
-        let of = |texels: Vec<Texel>| {
-            let bare = views(&[[0, 0, 1]], &[0]);
-            Views::new(bare.directions, bare.format, texels).unwrap()
+        let views_of = |texels: Vec<Texel>| {
+            let empty = views(&[[0, 0, 1]], &[0]);
+            Views::new(empty.directions, empty.format, texels).unwrap()
         };
-        let both = of(first).with_behind(&of(second)).unwrap();
+        let both = views_of(first).with_behind(&views_of(second)).unwrap();
         assert_eq!(unseen(&both), [0.25]);
         assert_eq!(unseen(&both.keep_behind(&[false]).unwrap()), [0.0]);
     }

@@ -22,7 +22,7 @@ pub struct Format {
 const MAX_SIZE: usize = 4096;
 
 impl Format {
-    /// Creates a format. Codes of `depth_bits` bits give the maximum number of steps that is a multiple of 6: then
+    /// Creates a format. The number of steps is the largest multiple of 6 that `depth_bits` bits can code: then
     /// children lie on whole steps of their parents' ranges.
     pub fn new(size: usize, depth_bits: u32, normal_bits: u32) -> Result<Self> {
         let is_valid = size.is_multiple_of(4) && (1..=MAX_SIZE).contains(&size);
@@ -40,7 +40,7 @@ impl Format {
 
     /// Returns the unit normal of a pixel; NaN without a surface.
     pub fn normal_of(&self, texel: &Texel) -> [f32; 3] {
-        if texel.depth == 0 { [f32::NAN; 3] } else { normals::decoded(texel.normal, self.normal_bits).to_array() }
+        if texel.depth == 0 { [f32::NAN; 3] } else { normals::decode(texel.normal, self.normal_bits).to_array() }
     }
 }
 
@@ -73,7 +73,7 @@ pub struct Views {
 impl Views {
     /// Creates views from drawn layers.
     pub(super) fn from_layers(directions: &[Direction], format: Format, views: (Vec<View>, Option<Vec<View>>)) -> Self {
-        let behind = views.1.and_then(|views| unless_empty(views.into()));
+        let behind = views.1.and_then(|views| non_empty(views.into()));
         Self { directions: directions.to_vec(), format, views: views.0.into(), behind }
     }
 
@@ -106,8 +106,7 @@ impl Views {
         [Some(&self.views), self.behind.as_ref()].into_iter().flatten().map(move |views| &views[number])
     }
 
-    /// Returns the second layer: views of the nearest surfaces more than a gap behind the first. `None` if it is
-    /// empty.
+    /// Returns the second layer: views of the nearest surfaces more than a gap behind the first. `None` if it is empty.
     pub fn second_layer(&self) -> Option<Self> {
         let views = self.behind.clone()?;
         Some(Self { directions: self.directions.clone(), format: self.format, views, behind: None })
@@ -117,22 +116,22 @@ impl Views {
     pub fn with_behind(&self, behind: &Self) -> Result<Self> {
         let is_alike = (&behind.directions, behind.format) == (&self.directions, self.format);
         ensure!(is_alike, "behind", "the directions and the format of the first layer", "different ones");
-        Ok(Self { behind: unless_empty(behind.views.clone()), ..self.clone() })
+        Ok(Self { behind: non_empty(behind.views.clone()), ..self.clone() })
     }
 
-    /// Returns the views with the second layer only of the directions for which `keep` is true.
+    /// Returns the views without the second layers of the directions for which `keep` is false.
     pub fn keep_behind(&self, keep: &[bool]) -> Result<Self> {
         let count = self.directions.len();
         ensure!(keep.len() == count, "keep", format!("{count} values"), keep.len());
         room_for_values::<Texel>((count + 1) * self.format.pixels())?;
         let empty = vec![Texel::default(); self.format.pixels()];
         let choose = |(view, keep): (&View, &bool)| if *keep { view.clone() } else { empty.clone() };
-        let behind = self.behind.as_ref().and_then(|views| unless_empty(views.iter().zip(keep).map(choose).collect()));
+        let behind = self.behind.as_ref().and_then(|views| non_empty(views.iter().zip(keep).map(choose).collect()));
         Ok(Self { behind, ..self.clone() })
     }
 }
 
 /// Returns a second layer; `None` if no pixel shows a surface.
-fn unless_empty(views: Arc<[View]>) -> Option<Arc<[View]>> {
+fn non_empty(views: Arc<[View]>) -> Option<Arc<[View]>> {
     views.iter().flatten().any(|texel| texel.depth > 0).then_some(views)
 }

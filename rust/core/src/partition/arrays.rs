@@ -37,9 +37,9 @@ pub fn triangle_radii<T: Real>(
 }
 
 fn check_faces(faces: &[[u32; 3]], vertex_count: usize) -> Result<()> {
-    let greatest = faces.as_flattened().iter().fold(0, |greatest, &vertex| greatest.max(vertex));
-    let is_valid = faces.is_empty() || (greatest as usize) < vertex_count;
-    ensure!(is_valid, "faces", format!("vertex indices below {vertex_count}"), greatest);
+    let max = faces.as_flattened().iter().fold(0, |max, &vertex| max.max(vertex));
+    let is_valid = faces.is_empty() || (max as usize) < vertex_count;
+    ensure!(is_valid, "faces", format!("vertex indices below {vertex_count}"), max);
     Ok(())
 }
 
@@ -74,22 +74,22 @@ impl Partition {
             progress.check()?;
             let offset = self.scene.triangle_offset(instance as u32);
             let count = self.scene.instance(instance as u32).mesh.faces.len() as u32;
-            let holds = |zone| part.holds(zone, self.is_moving(instance));
+            let is_in_set = |zone| part.contains(zone, self.is_moving(instance));
             match class {
                 Class::Mixed(mixed) => {
                     let mut listed = mixed.faces.iter().zip(&mixed.zones).peekable();
-                    if holds(Zone::Far) {
+                    if is_in_set(Zone::Far) {
                         let zone_of = |face| listed.next_if(|&(&next, _)| next == face).map_or(Zone::Far, |(_, &z)| z);
                         let zones = (0..count).map(zone_of);
-                        let chosen = zones.enumerate().filter(|&(_, zone)| holds(zone));
+                        let chosen = zones.enumerate().filter(|&(_, zone)| is_in_set(zone));
                         numbers.extend(chosen.map(|(face, _)| offset + face as i64));
                     } else {
-                        let chosen = listed.filter(|&(_, &zone)| holds(zone));
+                        let chosen = listed.filter(|&(_, &zone)| is_in_set(zone));
                         numbers.extend(chosen.map(|(&face, _)| offset + i64::from(face)));
                     }
                 }
                 // All faces have the zone of the first.
-                _ if holds(self.zone(instance as u32, 0)) => {
+                _ if is_in_set(self.zone(instance as u32, 0)) => {
                     numbers.extend((0..i64::from(count)).map(|face| offset + face))
                 }
                 _ => {}

@@ -1,4 +1,4 @@
-//! Zones of triangles, classes of instances, and the named sets of a partition. Instances are classified by their boxes.
+//! Zones of triangles, classes of instances by their boxes, and the named sets of a partition.
 
 use rayon::prelude::*;
 
@@ -10,8 +10,8 @@ use crate::scene::Instance;
 
 /// Number of faces in one task.
 const TILE: usize = 1 << 15;
-/// Twice the relative error of a radius rounded to float32. If a box decides a class with this margin, the radii of
-/// all its triangles agree.
+/// Twice the relative error of a radius rounded to float32. A class that follows from a box with this margin agrees
+/// with the radii of all triangles in it.
 const MARGIN: f64 = 1.0 / (1u64 << 23) as f64;
 
 /// Zone of a triangle, and whether it crosses r₂.
@@ -61,7 +61,7 @@ pub struct Mixed {
     pub faces: Vec<u32>,
     /// Zone of each of these faces.
     pub zones: Vec<Zone>,
-    /// Number of faces whose radii were computed; the other faces were proved far by coordinates alone.
+    /// Number of faces whose radii were computed; the coordinates of all others proved that they are far.
     pub measured: u32,
 }
 
@@ -90,7 +90,7 @@ pub enum TriangleSet {
 }
 
 impl TriangleSet {
-    pub(super) fn holds(self, zone: Zone, moving: bool) -> bool {
+    pub(super) fn contains(self, zone: Zone, moving: bool) -> bool {
         match self {
             Self::Near => zone.is_near(),
             Self::Intermediate => !zone.is_near() && zone != Zone::Far,
@@ -101,12 +101,12 @@ impl TriangleSet {
     }
 }
 
-/// Both radii about an axis, with thresholds that decide most triangles without their radii.
+/// Both radii about an axis, and thresholds on coordinates that make most triangles' radii unnecessary.
 pub(super) struct Ruler {
     axis: [f64; 2],
     r1: f64,
     r2: f64,
-    /// Coordinates (x, z) below `low` or above `high` lie beyond r₂ by more than any rounding.
+    /// Points with x or z below `low` or above `high` lie beyond r₂ by more than any rounding.
     low: [f32; 2],
     high: [f32; 2],
 }
@@ -120,8 +120,8 @@ impl Ruler {
         Self { axis, r1, r2, low, high }
     }
 
-    /// Fails if there is no room to classify instances at once: a code for each vertex, a candidate for each face, and
-    /// twice a number and a zone for each listed face, of which there may be as many.
+    /// Fails if memory does not suffice to classify all instances at the same time: a code per vertex and, per face, a
+    /// candidate and twice a number and a zone.
     pub fn room_for<'a>(&self, instances: impl Iterator<Item = &'a Instance>) -> Result<()> {
         let is_open = |instance: &&Instance| self.class_of_box(&secure_bounds(instance)).is_none();
         let bytes = |instance: &Instance| 14 * instance.mesh.faces.len() + instance.mesh.positions.len();
@@ -131,7 +131,7 @@ impl Ruler {
     /// Returns the class of an instance, from its box if that suffices, otherwise from its triangles.
     pub fn classify(&self, instance: &Instance, progress: &Progress) -> Result<Class> {
         let Some(class) = self.class_of_box(&secure_bounds(instance)) else {
-            return self.mixed(instance, progress).map(Class::Mixed);
+            return self.face_zones(instance, progress).map(Class::Mixed);
         };
         progress.report(instance.mesh.faces.len() as u64)?;
         Ok(class)
@@ -141,20 +141,21 @@ impl Ruler {
         if bounds.is_empty() {
             return Some(Class::Far);
         }
-        let [least, greatest] = radii_of_box(bounds, self.axis);
-        let (least, greatest) = (least * (1.0 - MARGIN), greatest * (1.0 + MARGIN));
-        if least > self.r2 {
+        let [min, max] = radii_of_box(bounds, self.axis);
+        let (min, max) = (min * (1.0 - MARGIN), max * (1.0 + MARGIN));
+        if min > self.r2 {
             Some(Class::Far)
-        } else if greatest <= self.r1 {
+        } else if max <= self.r1 {
             Some(Class::Near)
-        } else if least > self.r1 && greatest <= self.r2 {
+        } else if min > self.r1 && max <= self.r2 {
             Some(Class::Intermediate)
         } else {
             None
         }
     }
 
-    fn mixed(&self, instance: &Instance, progress: &Progress) -> Result<Mixed> {
+    /// Returns the zones of an instance's faces that are not far.
+    fn face_zones(&self, instance: &Instance, progress: &Progress) -> Result<Mixed> {
         let mesh = &instance.mesh;
         // One byte per vertex, so that faces need not load coordinates.
         let positions: &[[f32; 3]] = if instance.in_place { &mesh.positions } else { &[] };
@@ -183,7 +184,7 @@ impl Ruler {
     /// Finds the zones of a tile's candidates; the tile starts at face `first`.
     fn zones(&self, first: u32, triangles: &impl TriangleSource<f32>, candidates: &[u32]) -> Mixed {
         let mut mixed = Mixed { measured: candidates.len() as u32, ..Mixed::default() };
-        let take = |start: usize, radii: &[[f32; 2]]| {
+        let add_block = |start: usize, radii: &[[f32; 2]]| {
             for (&candidate, &radii) in candidates[start..].iter().zip(radii) {
                 if let Some(zone) = self.zone(radii) {
                     mixed.faces.push(first + candidate);
@@ -191,12 +192,11 @@ impl Ruler {
                 }
             }
         };
-        measure(triangles, candidates.len(), self.axis, |i| candidates[i] as usize, take);
+        measure(triangles, candidates.len(), self.axis, |i| candidates[i] as usize, add_block);
         mixed
     }
 
-    /// Returns one bit for each side of the square around the cylinder r₂ beyond which a point lies (Cohen and
-    /// Sutherland).
+    /// Returns a bit for each side of the square around r₂ that a point lies beyond (Cohen and Sutherland's outcode).
     #[inline(always)]
     fn outcode(&self, [x, _, z]: &[f32; 3]) -> u8 {
         u8::from(*x < self.low[0])
@@ -211,8 +211,8 @@ impl Ruler {
 
     /// Returns the zone for radii in the precision of the geometry; `None` for far.
     pub fn zone(&self, radii: [f32; 2]) -> Option<Zone> {
-        let (least, greatest) = (f64::from(radii[0]), f64::from(radii[1]));
-        match (least <= self.r1, least <= self.r2, greatest > self.r2) {
+        let [min, max] = radii.map(f64::from);
+        match (min <= self.r1, min <= self.r2, max > self.r2) {
             (true, _, false) => Some(Zone::Near),
             (true, _, true) => Some(Zone::NearStraddling),
             (false, true, false) => Some(Zone::Intermediate),
@@ -222,8 +222,8 @@ impl Ruler {
     }
 }
 
-/// Returns the box of an instance, widened by one float32 step if its corners are computed, because box and corners
-/// may round differently.
+/// Returns the box of an instance. The box of a placed mesh is widened by one float32 step, because its corners may be
+/// rounded differently.
 pub(super) fn secure_bounds(instance: &Instance) -> Aabb {
     let Aabb { min, max } = instance.bounds;
     if instance.in_place || instance.bounds.is_empty() {
@@ -232,7 +232,7 @@ pub(super) fn secure_bounds(instance: &Instance) -> Aabb {
     Aabb { min: min.map(f32::next_down), max: max.map(f32::next_up) }
 }
 
-/// Returns the faces of a tile that the outcodes of their vertices do not prove to be far.
+/// Returns the faces of a tile whose outcodes do not prove that they are far.
 fn candidates(codes: &[u8], faces: &[[u32; 3]]) -> Vec<u32> {
     let mut candidates = vec![0; faces.len()];
     let mut count = 0;

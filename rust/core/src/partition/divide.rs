@@ -13,8 +13,7 @@ use crate::base::memory::room_for_values;
 use crate::base::{Error, Progress, Result, ensure};
 use crate::scene::Scene;
 
-/// Tolerance, relative to r₂, within which a point counts as lying on a radius. It exceeds the rounding of edge
-/// splits.
+/// Tolerance, relative to r₂, within which a point counts as lying on a radius. It exceeds the rounding of edge splits.
 const RADIUS_TOLERANCE: f64 = 1.0 / 8192.0;
 
 /// Numbers of triangles and instances.
@@ -44,9 +43,9 @@ pub struct PartitionCounts {
     pub far_instances: i64,
     /// Instances whose boxes did not decide their class.
     pub mixed_instances: i64,
-    /// Triangles of mixed instances, the only ones whose corners were read.
+    /// Triangles of mixed instances; corners of other triangles were not read.
     pub examined: i64,
-    /// Triangles whose radii were computed. The other examined triangles were proved far by coordinates alone.
+    /// Examined triangles whose radii were computed. The coordinates of all others proved that they are far.
     pub measured: i64,
 }
 
@@ -123,16 +122,16 @@ impl Partition {
         objects.collect::<BTreeSet<i32>>().into_iter().collect()
     }
 
-    /// Returns (instance, face) of the static triangles drawn as geometry, ordered by triangle number: those with all
-    /// corners inside a radius, and the others. Points on the radius count as outside, even if rounding moved them
-    /// slightly inwards.
+    /// Returns (instance, face) of the static triangles drawn as geometry, in two lists ordered by triangle number:
+    /// triangles with all corners inside a radius, and all others. Points on the radius count as outside, even if
+    /// rounding moved them slightly inwards.
     pub fn nsf_inside(&self, radius: f64) -> Result<[Vec<(u32, u32)>; 2]> {
         let [x, z] = self.axis;
-        let least = radius - self.r2 * RADIUS_TOLERANCE;
-        let is_inside = |corner: Vec3| (f64::from(corner.x) - x).hypot(f64::from(corner.z) - z) < least;
+        let limit = radius - self.r2 * RADIUS_TOLERANCE;
+        let is_inside = |corner: Vec3| (f64::from(corner.x) - x).hypot(f64::from(corner.z) - z) < limit;
         let standing = self.nsf().take_while(|&(instance, _)| !self.is_moving(instance as usize));
         let corners = |&(number, face): &(u32, u32)| self.scene.instance(number).corners(face);
-        // Vectors that grow take up to twice their length.
+        // Growing vectors take up to twice their length.
         room_for_values::<[(u32, u32); 2]>(self.counts.nsf as usize)?;
         Ok(standing.partition::<Vec<_>, _>(|triangle| corners(triangle).into_iter().all(is_inside)).into())
     }
@@ -147,7 +146,7 @@ impl Partition {
         }
     }
 
-    /// Measures every triangle again, without boxes and thresholds, and compares. An error is a bug in nearfar.
+    /// Measures every triangle without boxes and thresholds, and compares the zones. An error is a bug in nearfar.
     pub fn validate(&self, progress: &Progress) -> Result<()> {
         let ruler = Ruler::new(self.axis, self.r1, self.r2);
         progress.expect(self.counts.triangles as u64);
@@ -164,9 +163,7 @@ impl Partition {
                     let radii = radii_of(a, b, c, self.axis).map(|radius| radius as f32);
                     let (expected, zone) = (ruler.zone(radii).unwrap_or(Zone::Far), self.zone(number, face));
                     if zone != expected {
-                        let text = format!(
-                            "partition: face {face} of instance {number} is in another zone than its radii state"
-                        );
+                        let text = format!("partition: face {face} of instance {number} is in a wrong zone");
                         return Err(Error::Scene(text));
                     }
                 }

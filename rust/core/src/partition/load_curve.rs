@@ -13,7 +13,7 @@ use crate::scene::Scene;
 /// Minimum ρ of every static triangle, sorted once; a query is then a binary search.
 #[derive(Clone, Debug)]
 pub struct LoadCurve {
-    /// Bits of float32 numbers, which sort like the numbers because none is negative.
+    /// Bits of float32 numbers. They sort like the numbers, because none is negative.
     sorted: Vec<u32>,
     /// Number of moving triangles, which stay geometry for any r₂.
     pub moving: i64,
@@ -23,22 +23,22 @@ impl LoadCurve {
     /// Measures and sorts all static triangles about a centre in world coordinates.
     pub fn new(scene: &Scene, center: DVec3, progress: &Progress) -> Result<Self> {
         let axis = axis_in(scene, center)?;
-        let mut least = try_vec(0u32, scene.standing.triangle_count() as usize)?;
-        progress.expect(2 * least.len() as u64);
+        let mut rhos = try_vec(0u32, scene.standing.triangle_count() as usize)?;
+        progress.expect(2 * rhos.len() as u64);
         let instances = scene.standing.instances();
-        let slots = pieces(&mut least, instances.iter().map(|instance| instance.mesh.faces.len()));
-        instances.par_iter().zip(slots).try_for_each(|(instance, least)| {
-            least.par_chunks_mut(TILE).enumerate().try_for_each(|(tile, least)| {
-                let faces = tile * TILE..tile * TILE + least.len();
+        let slots = pieces(&mut rhos, instances.iter().map(|instance| instance.mesh.faces.len()));
+        instances.par_iter().zip(slots).try_for_each(|(instance, rhos)| {
+            rhos.par_chunks_mut(TILE).enumerate().try_for_each(|(tile, rhos)| {
+                let faces = tile * TILE..tile * TILE + rhos.len();
                 measure_faces(instance, faces, axis, |start, radii| {
-                    least[start..].iter_mut().zip(radii).for_each(|(least, radii)| *least = radii[0].to_bits());
+                    rhos[start..].iter_mut().zip(radii).for_each(|(rho, radii)| *rho = radii[0].to_bits());
                 });
-                progress.report(least.len() as u64)
+                progress.report(rhos.len() as u64)
             })
         })?;
-        sort_by_key(&mut least, |&bits| bits, progress)?;
-        progress.report(least.len() as u64)?;
-        Ok(Self { sorted: least, moving: scene.moving.triangle_count() })
+        sort_by_key(&mut rhos, |&bits| bits, progress)?;
+        progress.report(rhos.len() as u64)?;
+        Ok(Self { sorted: rhos, moving: scene.moving.triangle_count() })
     }
 
     /// Returns the number of triangles in the scene.
@@ -56,8 +56,7 @@ impl LoadCurve {
         try_map_rows(budgets, |&budget| self.radius(budget), progress)
     }
 
-    /// Returns the number of triangles that stay geometry at r₂, equal to that of `Partition`. Fails for NaN or r₂ <
-    /// 0.
+    /// Returns the number of triangles that stay geometry at r₂, as in `Partition`. Fails for NaN or r₂ < 0.
     pub fn count(&self, r2: f64) -> Result<i64> {
         ensure!(r2 >= 0.0, "r2", "a radius of at least 0", r2);
         Ok(self.sorted.partition_point(|&bits| f64::from(f32::from_bits(bits)) <= r2) as i64 + self.moving)
@@ -71,8 +70,7 @@ impl LoadCurve {
         let first_too_many =
             usize::try_from(budget.saturating_sub(self.moving)).ok().map(|index| f32::from_bits(self.sorted[index]));
         match first_too_many {
-            // Just below the minimum ρ of the first triangle beyond the budget.
-            Some(least) if least > 0.0 => Ok(f64::from(least).next_down()),
+            Some(rho) if rho > 0.0 => Ok(f64::from(rho).next_down()),
             _ => {
                 let at_axis = self.sorted.partition_point(|&bits| bits == 0) as i64 + self.moving;
                 let expected = format!("at least {at_axis}: the triangles that move or lie on the axis");
@@ -82,16 +80,16 @@ impl LoadCurve {
     }
 }
 
-/// Maps rows in parallel. Returns the error of the first failing row, independent of the number of threads.
+/// Maps rows in parallel. Returns the error of the first row that fails, for any number of threads.
 fn try_map_rows<A: Sync, B: Clone + Default + Send>(
     rows: &[A],
-    of: impl Fn(&A) -> Result<B> + Sync,
+    map: impl Fn(&A) -> Result<B> + Sync,
     progress: &Progress,
 ) -> Result<Vec<B>> {
     let mut values = try_vec(B::default(), rows.len())?;
     let tiles = rows.par_chunks(TILE).zip(values.par_chunks_mut(TILE)).map(|(rows, values)| {
         progress.check()?;
-        values.iter_mut().zip(rows).try_for_each(|(value, row)| of(row).map(|of_row| *value = of_row))
+        values.iter_mut().zip(rows).try_for_each(|(value, row)| map(row).map(|mapped| *value = mapped))
     });
     tiles.collect::<Vec<Result<()>>>().into_iter().collect::<Result<()>>()?;
     Ok(values)

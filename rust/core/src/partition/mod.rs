@@ -2,9 +2,9 @@
 //!
 //! A triangle's zone follows from its minimum distance ρ from the vertical axis through the centre: near (≤ r₁),
 //! intermediate (≤ r₂) or far. Static triangles that reach beyond r₂ are baked; all others are drawn. Static triangles
-//! across r₂ are in both parts, and pixels are split there. Distances are computed in float64 and rounded once to
-//! float32, the precision of the geometry, so `triangle_radii`, `Partition` and `LoadCurve` agree about every
-//! triangle.
+//! across r₂ are both baked and drawn, and renderers choose for each pixel. Distances are computed in float64 and
+//! rounded once to float32, the precision of the geometry, so `triangle_radii`, `Partition` and `LoadCurve` agree about
+//! every triangle.
 
 mod arrays;
 mod classify;

@@ -22,14 +22,14 @@ pub enum Rule {
 /// Minimum ρ of objects, and the work that it took.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ObjectRadii {
-    /// Minimum ρ of each object's static triangles; last, that of static triangles without an object. Infinite beyond
-    /// the reach, and without triangles.
+    /// Minimum ρ of each object's static triangles, and as last entry that of static triangles without an object.
+    /// Infinite beyond the reach, and without triangles.
     pub least: Vec<f32>,
     /// Triangles whose distances were computed. The others belong to instances whose boxes lie beyond the reach.
     pub measured: i64,
 }
 
-/// Measures `object_count` objects that come within `reach` of the axis, about a centre in world coordinates.
+/// Measures `object_count` objects up to a distance `reach` from the axis through a centre in world coordinates.
 pub fn object_radii(
     scene: &Scene,
     object_count: usize,
@@ -45,29 +45,29 @@ pub fn object_radii(
         instances.iter().filter(|instance| !lies_beyond(&secure_bounds(instance), axis, reach)).collect();
     let measured = near.iter().map(|instance| instance.mesh.faces.len() as i64).sum();
     progress.expect(measured as u64);
-    let least = Least((0..=object_count).map(|_| AtomicU32::new(f32::INFINITY.to_bits())).collect());
+    let minima = Minima((0..=object_count).map(|_| AtomicU32::new(f32::INFINITY.to_bits())).collect());
     near.into_par_iter().try_for_each(|instance| {
         instance.mesh.faces.par_chunks(TILE).enumerate().try_for_each(|(tile, faces)| {
             let first = tile * TILE;
-            least.take_faces(instance, first..first + faces.len(), axis, rule);
+            minima.add_faces(instance, first..first + faces.len(), axis, rule);
             progress.report(faces.len() as u64)
         })
     })?;
-    let known = |bits: AtomicU32| Some(f32::from_bits(bits.into_inner())).filter(|&rho| f64::from(rho) <= reach);
-    let least = least.0.into_iter().map(|bits| known(bits).unwrap_or(f32::INFINITY)).collect();
+    let within = |bits: AtomicU32| Some(f32::from_bits(bits.into_inner())).filter(|&rho| f64::from(rho) <= reach);
+    let least = minima.0.into_iter().map(|bits| within(bits).unwrap_or(f32::INFINITY)).collect();
     Ok(ObjectRadii { least, measured })
 }
 
 /// Bits of the minimum ρ found so far for each object. They sort like the numbers, because none is negative.
-struct Least(Vec<AtomicU32>);
+struct Minima(Vec<AtomicU32>);
 
-impl Least {
-    fn take_faces(&self, instance: &Instance, faces: std::ops::Range<usize>, axis: [f64; 2], rule: Rule) {
+impl Minima {
+    fn add_faces(&self, instance: &Instance, faces: std::ops::Range<usize>, axis: [f64; 2], rule: Rule) {
         let mut run = (-1, f32::INFINITY);
-        let mut take = |face: usize, rho: f32| {
+        let mut add_face = |face: usize, rho: f32| {
             let object = instance.object_of(face as u32);
             if object != run.0 {
-                self.take(run);
+                self.add(run);
                 run = (object, rho);
             }
             run.1 = run.1.min(rho);
@@ -75,19 +75,19 @@ impl Least {
         let first = faces.start;
         match rule {
             Rule::Surface => measure_faces(instance, faces, axis, |start, radii| {
-                (first + start..).zip(radii).for_each(|(face, radii)| take(face, radii[0]));
+                (first + start..).zip(radii).for_each(|(face, radii)| add_face(face, radii[0]));
             }),
             Rule::Vertex => faces.for_each(|face| {
                 let corners = instance.corners(face as u32);
                 let rho =
                     corners.map(|corner| (f64::from(corner.x) - axis[0]).hypot(f64::from(corner.z) - axis[1]) as f32);
-                take(face, rho.into_iter().fold(f32::INFINITY, f32::min));
+                add_face(face, rho.into_iter().fold(f32::INFINITY, f32::min));
             }),
         }
-        self.take(run);
+        self.add(run);
     }
 
-    fn take(&self, (object, rho): (i32, f32)) {
+    fn add(&self, (object, rho): (i32, f32)) {
         by_object(&self.0, object).fetch_min(rho.to_bits(), Ordering::Relaxed);
     }
 }
@@ -148,7 +148,7 @@ mod tests {
     }
 
     #[test]
-    fn least_radii_are_those_of_single_triangles() {
+    fn minimum_radii_equal_those_of_single_triangles() {
         let scene = scene();
         for center in [DVec3::ZERO, DVec3::new(30.0, 2.0, 20.0)] {
             for rule in [Rule::Surface, Rule::Vertex] {

@@ -16,11 +16,10 @@ use crate::scene::{Instance, Scene};
 pub(super) const TILE: usize = 1 << 14;
 /// Number of triangles in a block; its temporaries fit in the first-level cache.
 pub(super) const BLOCK: usize = 64;
-/// Relative determinant above which a side test is certain. Each term has three roundings of 2⁻⁵³.
+/// Determinant, relative to its terms, above which its sign is certain. Each term has three roundings of 2⁻⁵³.
 const CERTAIN: f64 = 1.0 / (1u64 << 50) as f64;
 
-/// Ground coordinates of a block of triangles: `corners[2 k][i]` is x and `corners[2 k + 1][i]` is z of corner k of
-/// triangle i.
+/// Ground coordinates of triangles: `corners[2 k][i]` is x and `corners[2 k + 1][i]` is z of corner k of triangle i.
 type Corners<T> = [[T; BLOCK]; 6];
 
 vectorized! {
@@ -34,8 +33,7 @@ fn evaluate_kernel<T: Real>(corners: &Corners<T>, axis: [f64; 2], radii: &mut [[
         let a = [corners[0][i].wide(), corners[1][i].wide()];
         let b = [corners[2][i].wide(), corners[3][i].wide()];
         let c = [corners[4][i].wide(), corners[5][i].wide()];
-        let [least, greatest] = radii_of(a, b, c, axis);
-        radii[i] = [T::narrow(least), T::narrow(greatest)];
+        radii[i] = radii_of(a, b, c, axis).map(T::narrow);
     }
 }
 
@@ -49,14 +47,14 @@ pub fn radii_of(a: [f64; 2], b: [f64; 2], c: [f64; 2], axis: [f64; 2]) -> [f64; 
     let (ab, bc, ca) = (Edge::new(from_a, minus(b, a)), Edge::new(from_b, minus(c, b)), Edge::new(from_c, minus(a, c)));
     let corner = lesser(lesser(square_a, square_b), square_c);
     let outside = lesser(lesser(ab.distance_squared, bc.distance_squared), lesser(ca.distance_squared, corner));
-    // If the axis lies on the same side of all edges, it intersects the triangle. If a side is uncertain, the axis is
+    // The axis intersects the triangle if it lies on the same side of all edges. If a side is uncertain, the axis is
     // within rounding of that edge, and the distance to the edge is used.
     let is_pierced = (ab.left & bc.left & ca.left) | (ab.right & bc.right & ca.right);
-    let least = if is_pierced { 0.0 } else { outside };
-    let greatest = greater(greater(square_a, square_b), square_c);
-    // A sum of all coordinates, which is NaN or infinite if one of them is.
+    let min = if is_pierced { 0.0 } else { outside };
+    let max = greater(greater(square_a, square_b), square_c);
+    // Zero, or NaN if a coordinate is not finite.
     let poison = 0.0 * (square_a + square_b + square_c);
-    [least.sqrt() + poison, greatest.sqrt() + poison]
+    [min.sqrt() + poison, max.sqrt() + poison]
 }
 
 /// An edge in the ground plane, relative to the axis.
@@ -77,7 +75,7 @@ impl Edge {
         let determinant = first - second;
         let doubt = (first.abs() + second.abs()) * CERTAIN;
         let (length_squared, foot) = (dot(along, along), -dot(start, along));
-        // |start × along| / |along|; for a degenerate edge the quotient is not used.
+        // (start × along)² / |along|²; not used for a degenerate edge.
         let distance_squared = determinant * (determinant / length_squared);
         let on_edge = (foot > 0.0) & (foot < length_squared);
         let distance_squared = if on_edge { distance_squared } else { f64::INFINITY };
@@ -95,8 +93,7 @@ fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
     a[0] * b[0] + a[1] * b[1]
 }
 
-/// Returns (x, z) of the vertical axis through a centre, relative to the scene's origin. Fails for a centre that is not
-/// finite.
+/// Returns (x, z) of the vertical axis through a centre, relative to the scene's origin. Fails unless it is finite.
 pub(super) fn axis_in(scene: &Scene, center: DVec3) -> Result<[f64; 2]> {
     ensure!(center.is_finite(), "center", "three finite numbers", center);
     let local = center - scene.origin;
@@ -134,7 +131,8 @@ impl<T: Sync> TriangleSource<T> for Soup<'_, T> {
     }
 }
 
-/// Measures triangles in blocks: `number(i)` is the i-th of `count` triangles; `take` receives i with its radii.
+/// Measures triangles in blocks: `number(i)` is the i-th of `count` triangles; `take` receives the first i of each
+/// block, and its radii.
 #[inline(always)]
 pub(super) fn measure<T: Real>(
     triangles: &impl TriangleSource<T>,

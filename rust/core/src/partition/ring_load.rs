@@ -19,8 +19,8 @@ pub struct RingLoad {
     pub placed: i64,
 }
 
-/// Counts the static triangles of each of `count` rings. `rings` holds the ring of each object; its last item
-/// is the ring of faces without an object.
+/// Counts the static triangles of each of `count` rings. `rings` has the ring of each object, and as last entry the
+/// ring of faces without an object.
 pub fn ring_loads(scene: &Scene, rings: &[u16], count: usize, progress: &Progress) -> Result<Vec<RingLoad>> {
     ensure!(!rings.is_empty(), "rings", "a ring for faces without an object", "none");
     for &ring in rings {
@@ -48,7 +48,7 @@ pub fn ring_loads(scene: &Scene, rings: &[u16], count: usize, progress: &Progres
         {
             loads[ring].placed += 1;
         }
-        // The first ring that uses a mesh stores it, once. If its faces have objects, each ring stores its own faces.
+        // The first ring that uses a mesh stores it once. If its faces have objects, each ring stores its own faces.
         if *first < count && (instance.object.is_none() || parts[0].0 == *first) {
             parts.iter().for_each(|&(ring, faces)| loads[ring].stored += faces);
             *first = count;

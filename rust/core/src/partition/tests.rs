@@ -55,8 +55,8 @@ proptest! {
                 let (a, b) = (triangle[i], triangle[(i + 1) % 3]);
                 f64::from(a[0] - b[0]).hypot(f64::from(a[2] - b[2]))
             }).fold(0.0, f64::max);
-            // Samples lie inside the triangle, so none is nearer than the nearest point. A sample lies within a step
-            // of the grid, longest_edge / 60, of that point.
+            // Samples lie inside the triangle, so none is nearer than the nearest point, and one lies within a step of
+            // the grid, longest_edge / 60, of that point.
             prop_assert!(least <= sampled_radius + 1e-12);
             let bound = least + longest_edge / 60.0 + 1e-12;
             prop_assert!(sampled_radius <= bound, "{least} {sampled_radius} {triangle:?}");

@@ -22,7 +22,7 @@ pub struct Bake {
     pub radius: f64,
     /// Width of a face, texels.
     pub size: u32,
-    /// Number of colour samples per texel; range and objects always use its centre.
+    /// Number of colour samples per texel. Range and object number are those of its centre.
     pub samples: u32,
     /// Whether to store the distances from O.
     pub range: bool,
@@ -95,10 +95,10 @@ pub fn rays(settings: &Bake) -> u64 {
 
 /// Filter for surfaces beyond the cylinder, and surfaces inside it whose two-texel footprint reaches beyond.
 ///
-/// This overlap is needed where the near geometry ends: the last visible part of a surface inside r₂ borders on a
-/// direction whose look-up interpolates this texel. Measured across the ray, the overlap would be a few centimetres
-/// and would leave a crack in the ground, which a ray at eye height meets at an angle of a few degrees. Measured on
-/// the surface, the ground gets an overlap of metres as it needs, and walls that face the centre get none.
+/// The overlap is needed where the near geometry ends, because look-ups just beyond r₂ also read texels inside. It is
+/// measured on the surface: rays at eye height meet the ground at an angle of a few degrees, so the ground needs metres
+/// of overlap, and walls that face the centre need none. Measured across the ray, it would be a few centimetres and
+/// leave a crack in the ground.
 struct BeyondRadius<'a> {
     scene: &'a Scene,
     radius: f64,
@@ -126,7 +126,7 @@ impl BeyondRadius<'_> {
         let normal = (b - a).cross(c - a);
         let outward = horizontal.normalize_or_zero();
         let slant = outward.dot(direction) / normal.dot(direction);
-        // A surface seen edge-on has no footprint: 0 × ∞ is NaN, and the comparison treats it as outside.
+        // A surface seen edge-on has no footprint: 0 × ∞ is NaN, which the caller's comparison rejects.
         (outward - normal * slant).length() * t * self.two_texels
     }
 }
@@ -150,7 +150,7 @@ mod tests {
         [[x, -half, -half], [x, -half, half], [x, half, half], [x, half, -half]]
     }
 
-    fn baked(scene: &Scene, radius: f64, size: u32) -> EnvironmentMap {
+    fn bake_map(scene: &Scene, radius: f64, size: u32) -> EnvironmentMap {
         let settings = Bake { center: DVec3::ZERO, radius, size, samples: 1, range: true, object_id: true };
         let frame = bake(scene, &settings, &Progress::new()).unwrap();
         EnvironmentMap::new(size, frame.color.into(), Some(frame.range.into()), Some(frame.object_id.into())).unwrap()
@@ -158,10 +158,10 @@ mod tests {
 
     #[test]
     fn walls_inside_the_cylinder_do_not_hide_walls_beyond() {
-        let map = baked(&scene(&[wall(5.0, 3.0), wall(20.0, 50.0)]), 10.0, 16);
+        let map = bake_map(&scene(&[wall(5.0, 3.0), wall(20.0, 50.0)]), 10.0, 16);
         let (range, object) = map.surface(glam::Vec3::X);
         assert_eq!(object, 1);
-        // The centre of the texel next to the axis is 1/16 of the distance away from it in both directions.
+        // The centre of the texel next to the axis is offset by 1/16 of the distance in both directions.
         let expected = 20.0 * (1.0f32 + 2.0 / 256.0).sqrt();
         assert!((range - expected).abs() < 1e-5 * expected);
         assert_eq!(map.surface(glam::Vec3::NEG_X), (f32::INFINITY, -1));
@@ -170,34 +170,32 @@ mod tests {
     #[test]
     fn vertical_rays_miss_everything() {
         let roof = [[-8.0, 9.0, -8.0], [8.0, 9.0, -8.0], [8.0, 9.0, 8.0], [-8.0, 9.0, 8.0]];
-        let map = baked(&scene(&[roof]), 40.0, 8);
+        let map = bake_map(&scene(&[roof]), 40.0, 8);
         assert!(map.object_id.unwrap().iter().all(|&object| object == -1));
     }
 
     #[test]
     fn ground_overlaps_by_its_footprint_and_no_more() {
-        // Ground 1.7 m below the centre: at ρ = 10 m a texel of 1/128 covers 0.47 m of ground, so the overlap is about
-        // 0.9 m.
+        // Ground 1.7 m below: at ρ = 10 m a texel of 1/128 covers 0.47 m of it, so the overlap is about 0.9 m.
         let far = 1000.0;
         let ground = [[-far, -1.7, -far], [-far, -1.7, far], [far, -1.7, far], [far, -1.7, -far]];
         let size = 256;
-        let map = baked(&scene(&[ground]), 10.0, size);
+        let map = bake_map(&scene(&[ground]), 10.0, size);
         let range = map.range.unwrap();
-        let mut least_rho = f64::INFINITY;
+        let mut min_rho = f64::INFINITY;
         for texel in 0..6 * size * size {
             let d = crate::cubemap::direction_from_texel(texel, size).normalize();
             let expected = -1.7 / d.y;
             let rho = expected * d.x.hypot(d.z);
             let range_found = f64::from(range[texel as usize]);
             if d.y < 0.0 && rho > 10.0 {
-                // Sheared corners 1,400 m away are rounded by 6e-8 of that: 5e-5 of the 1.7 m by which the ray
-                // descends.
+                // Sheared corners 1,400 m away are rounded by 6e-8 of that: 5e-5 of the 1.7 m of the descent.
                 assert!((range_found - expected).abs() < 1e-4 * expected, "{d} {range_found} {expected}");
             } else if range_found.is_finite() {
-                least_rho = least_rho.min(rho);
+                min_rho = min_rho.min(rho);
             }
         }
-        assert!((8.5..9.8).contains(&least_rho), "{least_rho}");
+        assert!((8.5..9.8).contains(&min_rho), "{min_rho}");
     }
 
     #[test]

@@ -1,14 +1,15 @@
 //! Maps of a scene whose objects become geometry ring after ring: map i shows the objects of all rings after i.
 //!
 //! Each ray is traced once for all maps, from the last map back to the first: through the geometry beyond all rings,
-//! then through the objects of the last ring up to the hit found so far, and so on. The hit after a ring's objects
-//! belongs to the map before that ring. Each hit is shaded once for all maps that show it.
+//! then through the objects of the last ring up to the hit found so far, and so on. With the objects of ring i, the hit
+//! belongs to map i − 1. Each hit is shaded once for all maps that show it.
 
 use super::bake::{Bake, without_moving};
 use super::frame::{Band, Channels, Frame};
 use super::ring_layers::RingLayers;
 use super::tiles::{CENTER, Caster, ImageTile, NO_RAYS, PIXELS, Picture, TILE};
 use super::truth::Truth;
+use crate::base::mapped::set_bits;
 use crate::base::{Progress, Result, ensure};
 use crate::scene::Scene;
 use crate::trace::{All, Hit, Layer, LayerHits, Ray, closest_hits_by_layer};
@@ -22,7 +23,7 @@ pub struct RingMaps {
     pub changes: Vec<Change>,
 }
 
-/// Texels that differ from the previous map: those whose samples, or whose centre, hit an object of the ring there.
+/// Texels that differ from the previous map, because a sample or the centre shows an object of the ring there.
 #[derive(Debug, Default)]
 pub struct Change {
     /// Texel numbers in the six faces, ascending.
@@ -33,7 +34,7 @@ pub struct Change {
 
 /// Bakes the static objects of a scene; `settings.radius` is ignored.
 ///
-/// `rings` has the ring of each object, and last that of all faces without an object. Maps 0 to `count` are baked.
+/// `rings` has the ring of each object, and as last entry that of faces without one. Maps 0 to `count` are baked.
 pub fn bake_rings(scene: &Scene, settings: &Bake, rings: &[u16], count: u16, progress: &Progress) -> Result<RingMaps> {
     settings.check(scene)?;
     ensure!(!rings.is_empty(), "rings", "a ring for faces without an object", "none");
@@ -49,7 +50,8 @@ pub fn bake_rings(scene: &Scene, settings: &Bake, rings: &[u16], count: u16, pro
         let truth = Truth { scene, filter: &All };
         let baker = Baker { truth, layers, caster: Caster::new(&view)?, channels: view.channels };
         let mut frame = Frame::new(view.channels, settings.texels())?;
-        let bands = baker.caster.for_tiles(&mut frame, progress, |tile, band, rows| baker.bake(tile, band, rows))?;
+        let bands =
+            baker.caster.for_each_tile(&mut frame, progress, |tile, band, rows| baker.bake(tile, band, rows))?;
         maps.first.append(&frame);
         let first = (usize::from(face) * settings.texels()) as i64;
         for rows in bands {
@@ -116,7 +118,7 @@ impl Baker<'_> {
                 break;
             };
             let rows = &mut rows[(count - layer - 1) * TILE..];
-            for n in ones(next.own_pixels) {
+            for n in set_bits(next.own_pixels).map(|n| n as usize) {
                 let (color, sample) = pixel(n);
                 let row = &mut rows[tile.offset_in_tile(n).1];
                 row.texels.push(tile.index(n) as i64);
@@ -133,7 +135,7 @@ impl Baker<'_> {
         hits: &mut [LayerHits],
         maps: &mut [TileMap],
     ) {
-        self.caster.aim(tile, offset, rays);
+        self.caster.write_rays(tile, offset, rays);
         closest_hits_by_layer(self.truth.scene, rays, self.layers, hits);
         maps.iter_mut().zip(hits).for_each(|(map, hits)| map.own_pixels |= hits.changed);
     }
@@ -144,13 +146,13 @@ impl Baker<'_> {
         let (mut new_rays, mut new_hits) = (NO_RAYS, MISSES);
         for (layer, (layer_hits, map)) in hits.iter().zip(maps).enumerate() {
             if layer == 0 {
-                // Rays without a hit show the sky, which has a colour too.
+                // Includes rays without a hit, which show the sky.
                 let shown_hits = if layer_hits.changed == 0 { &MISSES } else { &layer_hits.hits };
                 let footprint = |n: usize| self.caster.footprint(tile, n, offset, self.caster.scale);
                 self.truth.add_colors(rays, &shown_hits[..rays.len()], footprint, &mut colors[..rays.len()]);
             } else if layer_hits.changed != 0 {
                 let (mut pixels, mut count) = ([0; PIXELS], 0);
-                for n in ones(layer_hits.changed) {
+                for n in set_bits(layer_hits.changed).map(|n| n as usize) {
                     (pixels[count], new_rays[count], new_hits[count]) = (n, rays[n], layer_hits.hits[n]);
                     count += 1;
                 }
@@ -166,19 +168,10 @@ impl Baker<'_> {
     }
 }
 
-/// Hits of rays without a hit.
+/// Results of a tile whose rays all miss.
 const MISSES: [Hit; PIXELS] = [Hit::MISS; PIXELS];
 /// Coverage is not computed for maps.
 const COVERAGE: f32 = 0.0;
-
-/// Returns the positions of a word's set bits.
-fn ones(mut word: u64) -> impl Iterator<Item = usize> {
-    std::iter::from_fn(move || {
-        let lowest = (word != 0).then(|| word.trailing_zeros() as usize);
-        word &= word.wrapping_sub(1);
-        lowest
-    })
-}
 
 #[cfg(test)]
 mod tests {
@@ -193,13 +186,13 @@ mod tests {
     use crate::scene::{Instance, Mesh};
     use crate::trace::HitFilter;
 
-    /// 400 triangles of 40 objects around the centre in one mesh, which is placed twice, the second time as object 7.
+    /// 400 triangles of 40 objects around the centre in one mesh, which is placed three times, once as object 7.
     fn scene() -> Scene {
-        let at = |n: u64, k| (uniform(7, n, k) * 2.0 - 1.0) as f32;
+        let random = |n: u64, k| (uniform(7, n, k) * 2.0 - 1.0) as f32;
         let corner = |face: u64, k: u64| {
             let distance = 2.0 + 30.0 * uniform(7, face, 9) as f32;
-            let middle = [0, 1, 2].map(|axis| distance * at(face, axis));
-            [0, 1, 2].map(|axis| middle[axis as usize] + 3.0 * at(face, 10 + 3 * k + axis))
+            let middle = [0, 1, 2].map(|axis| distance * random(face, axis));
+            [0, 1, 2].map(|axis| middle[axis as usize] + 3.0 * random(face, 10 + 3 * k + axis))
         };
         let triangles: Vec<_> = (0..400).map(|face| [0, 1, 2].map(|k| corner(face, k))).collect();
         let mesh = Mesh::of_triangles(&triangles, FaceMap::PerFace((0..400).map(|n| n / 10 - 1).collect()));
@@ -208,10 +201,10 @@ mod tests {
         Scene::of_instances(vec![placed(0.0, None), placed(0.3, Some(7)), placed(2.0, None)], vec![])
     }
 
-    /// Filter for objects of rings after a given one, traced separately.
-    struct After<'a>(&'a Scene, &'a [u16], u16);
+    /// Filter for objects of rings after a given one.
+    struct LaterRings<'a>(&'a Scene, &'a [u16], u16);
 
-    impl HitFilter for After<'_> {
+    impl HitFilter for LaterRings<'_> {
         fn accepts(&self, _ray: &Ray, candidate: &Hit) -> bool {
             let object = self.0.instance(candidate.instance).object_of(candidate.face);
             self.1[usize::try_from(object).unwrap_or(40)] > self.2
@@ -219,7 +212,7 @@ mod tests {
     }
 
     #[test]
-    fn maps_equal_those_drawn_one_by_one() {
+    fn maps_equal_maps_drawn_one_by_one() {
         let scene = scene();
         // Objects of ring 0 are in no map; rings 3 and 4 lie beyond all.
         let rings: Vec<u16> = (0..41).map(|n| n * 7 % 5).collect();
@@ -228,8 +221,8 @@ mod tests {
             let maps = bake_rings(&scene, &settings, &rings, 2, &Progress::new()).unwrap();
             let mut map = maps.first;
             let mut changed = 0;
-            for after in 0..=2 {
-                let filter = &After(&scene, &rings, after);
+            for ring in 0..=2 {
+                let filter = &LaterRings(&scene, &rings, ring);
                 let mut drawn = Frame::default();
                 for face in 0..6 {
                     let camera = settings.camera(face).unwrap();
@@ -239,7 +232,7 @@ mod tests {
                 assert_eq!(map.color, drawn.color);
                 assert_eq!(map.range, drawn.range);
                 assert_eq!(map.object_id, drawn.object_id);
-                let Some(change) = maps.changes.get(usize::from(after)) else { continue };
+                let Some(change) = maps.changes.get(usize::from(ring)) else { continue };
                 assert!(change.texels.is_sorted_by(|a, b| a < b));
                 changed += change.texels.len();
                 for (number, &texel) in change.texels.iter().enumerate() {

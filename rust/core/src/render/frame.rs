@@ -73,8 +73,8 @@ macro_rules! images {
         }
 
         impl Frame {
-            /// Allocates the requested images for a renderer that writes every pixel. Zeros are cheap: the system maps
-            /// zero pages on first use, where other values would take seconds for a large picture.
+            /// Allocates the requested images for a renderer that writes every pixel. They are zero, because the system
+            /// maps zeroed pages on first use; other values would take seconds for a large picture.
             pub fn new(channels: Channels, pixels: usize) -> Result<Self> {
                 channels.check_room(pixels as u64)?;
                 let size = |is_requested: bool| if is_requested { pixels } else { 0 };
@@ -100,14 +100,13 @@ macro_rules! images {
                 $(self.$central.extend_from_slice(&other.$central);)+
             }
 
-            /// Copies the images of a part, `columns` pixels wide, to its position in this frame.
+            /// Copies the images of a part, which is `columns` pixels wide, to its position in this frame.
             pub(crate) fn put(&mut self, part: &Self, width: usize, [left, top]: [usize; 2], columns: usize) {
                 $(put_rows(&mut self.$sampled, &part.$sampled, width, [left, top], columns);)+
                 $(put_rows(&mut self.$central, &part.$central, width, [left, top], columns);)+
             }
 
-            /// Returns the channels of a pixel's centre; channels that were not requested have their values for a
-            /// miss.
+            /// Returns the channels of a pixel's centre; those not requested have the values of a miss.
             pub(crate) fn sample(&self, pixel: usize) -> Sample {
                 let mut sample = Sample::default();
                 $(if let Some(value) = self.$central.get(pixel) {

@@ -4,7 +4,7 @@ use glam::{DVec3, DVec4};
 
 use crate::base::{Result, ensure};
 
-/// Maximum number of planes: the limit of graphics adapters.
+/// Maximum number of planes, which GPUs limit.
 pub const MAX_PLANES: usize = 8;
 
 /// Segment of each pixel's ray in which surfaces are visible, in metres from the camera or, for parallel rays, from
@@ -43,12 +43,12 @@ impl Limits {
         let expected = format!("at most {MAX_PLANES} half-spaces, of which a box takes six");
         ensure!(planes.len() <= MAX_PLANES, "clip", expected, planes.len());
         let mut limits = Self { segment, count: planes.len(), ..Self::NONE };
-        for (to, from) in limits.planes.iter_mut().zip(planes) {
-            let plane = DVec4::from_array(*from);
+        for (slot, numbers) in limits.planes.iter_mut().zip(planes) {
+            let plane = DVec4::from_array(*numbers);
             let is_half_space = plane.is_finite() && plane.truncate() != DVec3::ZERO;
             let expected = "four finite numbers (n, d) with n ≠ 0 for each half-space";
-            ensure!(is_half_space, "clip", expected, format!("{from:?}"));
-            *to = plane;
+            ensure!(is_half_space, "clip", expected, format!("{numbers:?}"));
+            *slot = plane;
         }
         Ok(limits)
     }
@@ -78,18 +78,18 @@ impl Limits {
         if self.count == 0 {
             return self.segment;
         }
-        let (mut from, mut to) = (f64::from(self.segment.t_min), f64::from(self.segment.t_max));
+        let (mut start_t, mut end_t) = (f64::from(self.segment.t_min), f64::from(self.segment.t_max));
         for plane in self.planes() {
             let (height, slope) = (plane.truncate().dot(start) + plane.w, plane.truncate().dot(direction));
             if slope > 0.0 {
-                from = from.max(-height / slope);
+                start_t = start_t.max(-height / slope);
             } else if slope < 0.0 {
-                to = to.min(-height / slope);
+                end_t = end_t.min(-height / slope);
             } else if height < 0.0 {
                 return Segment::EMPTY;
             }
         }
-        if from <= to { Segment { t_min: from as f32, t_max: to as f32 } } else { Segment::EMPTY }
+        if start_t <= end_t { Segment { t_min: start_t as f32, t_max: end_t as f32 } } else { Segment::EMPTY }
     }
 }
 
@@ -114,8 +114,8 @@ mod tests {
 
     #[test]
     fn wrong_planes_are_refused() {
-        let refused = |planes: &[[f64; 4]]| Limits::new(Segment::WHOLE, planes).is_err();
-        assert!(refused(&[[1.0; 4]; 9]) && refused(&[[0.0, 0.0, 0.0, 1.0]]) && refused(&[[f64::NAN; 4]]));
+        let is_refused = |planes: &[[f64; 4]]| Limits::new(Segment::WHOLE, planes).is_err();
+        assert!(is_refused(&[[1.0; 4]; 9]) && is_refused(&[[0.0, 0.0, 0.0, 1.0]]) && is_refused(&[[f64::NAN; 4]]));
         assert!(Limits::new(Segment::WHOLE, &[[1.0; 4]; 8]).is_ok() && Limits::NONE.is_none());
     }
 }

@@ -1,4 +1,4 @@
-//! Pixel mask at several resolutions, used to cull geometry that no drawn pixel can show.
+//! Pixel mask at several resolutions, for culling of geometry that no drawn pixel can show.
 
 use glam::DVec2;
 use rayon::prelude::*;
@@ -6,19 +6,18 @@ use rayon::prelude::*;
 use crate::base::Aabb;
 use crate::camera::Camera;
 
-/// Level 0 has a flag for each block of 2^FINEST_SHIFT × 2^FINEST_SHIFT pixels.
+/// Base-2 logarithm of the side of level 0's blocks, pixels.
 const FINEST_SHIFT: usize = 2;
-/// Maximum number of blocks that a test reads in each direction.
+/// Maximum number of blocks that a test reads along each axis.
 const MAX_READ_BLOCKS: usize = 4;
 /// Rows of blocks per task.
 const TASK_ROWS: usize = 32;
 
-/// Flags of blocks of pixels. Blocks of each level are twice as wide as those of the previous one, up to a single
-/// block.
+/// Flags of blocks of pixels. Blocks of each level are twice as wide as those before, up to a single block.
 #[derive(Clone, Debug)]
 pub struct MaskPyramid {
     size: (usize, usize),
-    /// Blocks per row, and row-major flags whether any pixel of a block is drawn.
+    /// Blocks per row, and for each block, row by row, whether any of its pixels is drawn.
     levels: Vec<(usize, Vec<bool>)>,
 }
 
@@ -43,7 +42,7 @@ impl MaskPyramid {
         Self { size: (width, height), levels }
     }
 
-    /// Returns false if a rectangle, in pixels and grown to whole blocks, contains no drawn pixel.
+    /// Returns whether a rectangle, in pixels and grown to whole blocks, contains a drawn pixel.
     pub fn touches(&self, low: DVec2, high: DVec2) -> bool {
         let (width, height) = self.size;
         if high.x < 0.0 || high.y < 0.0 || low.x >= width as f64 || low.y >= height as f64 {
@@ -64,8 +63,7 @@ impl MaskPyramid {
         })
     }
 
-    /// Returns false if no drawn pixel or neighbour of one can show a box; `camera` is in the box's frame of
-    /// reference.
+    /// Returns whether a drawn pixel or a neighbour of one may show a box; `camera` is in the box's frame of reference.
     pub fn sees(&self, camera: &Camera, bounds: &Aabb) -> bool {
         let (mut low, mut high) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
         let ends = [bounds.min.as_dvec3(), bounds.max.as_dvec3()];
@@ -79,9 +77,9 @@ impl MaskPyramid {
     }
 }
 
-/// Marks the blocks in which a row of pixels has a drawn one.
+/// Marks the blocks in which a row of pixels has a drawn pixel.
 fn mark_blocks(row: &[bool], flags: &mut [bool]) {
-    // Tests a block's four pixels as one word.
+    // The four pixels of a block are tested as one word.
     let (blocks, last_pixels) = row.as_chunks::<{ 1 << FINEST_SHIFT }>();
     for (flag, block) in flags.iter_mut().zip(blocks) {
         *flag |= u32::from_ne_bytes(block.map(u8::from)) != 0;
@@ -144,13 +142,13 @@ mod tests {
         let mut mask = vec![false; 64 * 64];
         mask[10 * 64 + 50] = true;
         let pyramid = MaskPyramid::new(&mask, 64);
-        let spot = |x: f64, y: f64, depth: f64, size: f32| {
+        let sees_box = |x: f64, y: f64, depth: f64, size: f32| {
             let (_, direction) = camera.ray(x, y);
             let center = (direction * (depth / -direction.z)).as_vec3();
             pyramid.sees(&camera, &Aabb { min: center - size, max: center + size })
         };
-        assert!(spot(50.5, 10.5, 5.0, 0.1) && spot(50.5, 10.5, 500.0, 0.1));
-        assert!(!spot(20.5, 40.5, 5.0, 0.1) && !spot(50.5, 40.5, 5.0, 0.1));
-        assert!(spot(20.5, 40.5, 2.0, 3.0), "a box around the camera");
+        assert!(sees_box(50.5, 10.5, 5.0, 0.1) && sees_box(50.5, 10.5, 500.0, 0.1));
+        assert!(!sees_box(20.5, 40.5, 5.0, 0.1) && !sees_box(50.5, 40.5, 5.0, 0.1));
+        assert!(sees_box(20.5, 40.5, 2.0, 3.0), "a box around the camera");
     }
 }

@@ -8,8 +8,8 @@ use crate::base::{Progress, Result, by_object};
 use crate::scene::{Instance, Scene};
 use crate::trace::{AlphaFilter, FaceHits, HitFilter, Layer, LayerTree};
 
-/// Trees over each layer's instances. An instance with faces of several layers is in the tree of each; a filter then
-/// tests its faces per ray.
+/// Trees over each layer's instances. An instance with faces of several layers is in the tree of each of them, and a
+/// filter tests its faces.
 pub(super) struct RingLayers<'a> {
     scene: &'a Scene,
     rings: &'a [u16],
@@ -19,11 +19,11 @@ pub(super) struct RingLayers<'a> {
 }
 
 impl<'a> RingLayers<'a> {
-    /// Creates the layers of rings up to `count` and of everything beyond, for a scene that has been built. `rings`
-    /// has the ring of each object, and last that of faces without one; ring 0 is in no layer.
+    /// Creates the layers of rings up to `count` and of everything beyond, for a scene that has been built. `rings` has
+    /// the ring of each object, and as last entry the ring of faces without an object. Ring 0 is in no layer.
     pub(super) fn new(scene: &'a Scene, rings: &'a [u16], count: u16, progress: &Progress) -> Result<Self> {
         let instances = scene.standing.instances();
-        // Meshes with many faces may be placed many times.
+        // Cached, because a mesh with many faces may be placed many times.
         let mut known_layers: HashMap<_, Arc<[u16]>> = HashMap::new();
         let instance_layers = instances.iter().map(|instance| {
             let mesh = instance.object.is_none().then_some(Arc::as_ptr(&instance.mesh));
@@ -52,7 +52,7 @@ impl<'a> RingLayers<'a> {
     }
 }
 
-/// Returns the layers that an instance has faces of, ascending; 0 stands for faces that are in none.
+/// Returns the layers of an instance's faces, ascending; 0 stands for faces in no layer.
 fn layers_of(instance: &Instance, rings: &[u16], count: u16) -> Arc<[u16]> {
     let layer = |object: i32| *by_object(rings, object).min(&count.saturating_add(1));
     let mut layers: Vec<u16> = match instance.object {
@@ -64,7 +64,7 @@ fn layers_of(instance: &Instance, rings: &[u16], count: u16) -> Arc<[u16]> {
     layers.into()
 }
 
-/// Filter for faces of some rings; instances are those of a layer's tree.
+/// Filter for faces of some rings, on instances of a layer's tree.
 struct RingFilter<'a> {
     scene: &'a Scene,
     rings: &'a [u16],
@@ -75,7 +75,7 @@ struct RingFilter<'a> {
 impl HitFilter for RingFilter<'_> {
     fn face_hits(&self, instance: u32, face: u32) -> FaceHits {
         let is_mixed = self.is_mixed[instance as usize];
-        let holds = || self.ring_range.contains(by_object(self.rings, self.scene.instance(instance).object_of(face)));
-        if !is_mixed || holds() { FaceHits::All } else { FaceHits::None }
+        let ring = || by_object(self.rings, self.scene.instance(instance).object_of(face));
+        if !is_mixed || self.ring_range.contains(ring()) { FaceHits::All } else { FaceHits::None }
     }
 }

@@ -1,6 +1,6 @@
 //! Shading formula of all renderers: linear albedo × (sky(n) + sun · max(0, n·l)) + emission, two-sided. Here n is the
-//! surface normal and l the direction towards the sun. Unlit materials are shaded with a bracket of 1, its maximum;
-//! emission may exceed 1, because there is no tone mapping.
+//! surface normal and l the direction towards the sun. For unlit materials the sum in parentheses is 1, its maximum.
+//! Emission may exceed 1, because there is no tone mapping.
 //!
 //! Sky and sun are coloured. The bluish sky is brighter above than below and slightly asymmetric, so that walls in the
 //! shade differ. The warm sun meets the three axes at different angles, so that lit walls differ.

@@ -54,7 +54,7 @@ impl Facet {
 
     /// Returns whether a hit lies on this face.
     #[inline]
-    pub fn holds(&self, hit: &Hit) -> bool {
+    pub fn contains(&self, hit: &Hit) -> bool {
         self.face == hit.face && self.instance == hit.instance
     }
 
@@ -75,15 +75,15 @@ impl Facet {
     }
 }
 
-/// Adds the colours of surfaces along neighbouring rays to their sums; `on_scene` maps a hit to the scene's face,
-/// `missed` gives the colour of a ray without a hit.
+/// Adds the colours of surfaces along neighbouring rays to their sums. `scene_hit` converts a hit to one on the scene's
+/// face, `miss_color` gives the colour of a ray without a hit.
 pub(super) fn add_colors(
     scene: &Scene,
     rays: &[Ray],
     hits: &[Hit],
     footprint: impl Fn(usize) -> Footprint,
-    on_scene: impl Fn(&Hit) -> Hit,
-    missed: impl Fn(usize) -> [f32; 3],
+    scene_hit: impl Fn(&Hit) -> Hit,
+    miss_color: impl Fn(usize) -> [f32; 3],
     sums: &mut [[f32; 3]],
 ) {
     let mut last: Option<Facet> = None;
@@ -91,12 +91,12 @@ pub(super) fn add_colors(
     let is_textured = !scene.textures.is_empty();
     for (n, (ray, hit)) in rays.iter().zip(hits).enumerate() {
         if hit.is_miss() {
-            add(&mut sums[n], missed(n));
+            add(&mut sums[n], miss_color(n));
             continue;
         }
-        let hit = on_scene(hit);
+        let hit = scene_hit(hit);
         let facet = match last {
-            Some(facet) if facet.holds(&hit) => facet,
+            Some(facet) if facet.contains(&hit) => facet,
             _ => *last.insert(Facet::new(scene, hit.instance, hit.face)),
         };
         let surface = facet.surface((hit.u, hit.v), ray.direction);
@@ -122,7 +122,7 @@ impl Surface {
         Facet::new(scene, instance, face).surface(weights, direction.normalize_or(Vec3::NEG_Z))
     }
 
-    /// Returns the linear RGB for a ray that is `width` metres wide at the surface (`Footprint::at`).
+    /// Returns the linear RGB for a ray that is `width` metres wide at the surface (`Footprint::width_at`).
     #[inline]
     pub fn color(&self, scene: &Scene, width: f32) -> [f32; 3] {
         let instance = scene.instance(self.instance);

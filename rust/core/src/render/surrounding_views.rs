@@ -1,6 +1,5 @@
-//! Pictures of one scene from many sides, for comparison with pictures of another scene from the same cameras:
-//! silhouettes, and the luma of the pixels near them. Most of a picture of one object is sky, which needs no
-//! comparison.
+//! Silhouettes of a scene from many sides, and the luma of the pixels near them, for comparison with another scene from
+//! the same cameras. Most of a picture of one object is sky, which needs no comparison.
 //!
 //! Pixels are bit-equal to those of `draw`, because a ray's hit does not depend on the rays traced beside it.
 
@@ -20,8 +19,8 @@ const PACKET: usize = 64;
 /// Number of rows per task, a multiple of every block's height; also the side of a square that is tested for geometry.
 const ROWS: usize = 16;
 /// Maximum number of triangles per block of pixels, if spread evenly over the picture, for which rays are traced as a
-/// packet. With more, rays share so few nodes of the tree that single rays are faster. Measured on an object that covers
-/// a fifth of its picture.
+/// packet. With more, rays share so few nodes of the tree that single rays are faster. Measured on an object that
+/// covers a fifth of its picture.
 const MAX_PACKET_TRIANGLES: f64 = 150.0;
 
 /// A scene and cameras around it, all with pictures of one size.
@@ -39,7 +38,7 @@ pub struct Luma {
     pub samples: u32,
     /// Weights of red, green and blue as sRGB codes.
     pub weights: [f64; 3],
-    /// Distance across and down, in pixels, up to which the pixels around a silhouette pixel are computed.
+    /// Pixels at most this many columns and rows away from a silhouette pixel are computed.
     pub reach: usize,
 }
 
@@ -105,14 +104,14 @@ impl<'a> SurroundingViews<'a> {
         ensure!(shown.len() == self.pixel_count(), "shown", expected, shown.len());
         let filter = &AlphaFilter::new(self.scene, All);
         let samples = settings.samples as usize;
-        let (offsets, block) = (sample_offsets(settings.samples), block_of(samples));
+        let (offsets, block) = (sample_offsets(settings.samples), block_size(samples));
         let (scale, sample_weight) = (1.0 / f64::from(settings.samples).sqrt(), 1.0 / settings.samples as f32);
         let (is_crowded, order) = (self.is_crowded(block), pixel_order(block));
         let picture = Truth { scene: self.scene, filter };
         let size = self.width * self.height;
         self.bands(progress, |view, number, first_row, luma| {
             let rows = luma.len() / self.width;
-            let is_near = self.near_shown(&shown[number * size..][..size], first_row, rows, settings.reach);
+            let is_near = self.mask_near(&shown[number * size..][..size], first_row, rows, settings.reach);
             let (mut pixels, mut positions) = (Vec::new(), Vec::new());
             let (mut rays, mut hits, mut sums) = (Vec::new(), Vec::new(), Vec::new());
             for (start, size) in blocks([0, 0], [rows, self.width], block) {
@@ -182,11 +181,11 @@ impl<'a> SurroundingViews<'a> {
         self.scene.triangle_count() as f64 * fraction > MAX_PACKET_TRIANGLES
     }
 
-    /// Returns for each pixel of some rows whether it is at most `reach` pixels across and down from a shown one.
-    fn near_shown(&self, shown: &[bool], first_row: usize, rows: usize, reach: usize) -> Vec<bool> {
+    /// Returns for each pixel of some rows whether a shown pixel is at most `reach` columns and rows away.
+    fn mask_near(&self, shown: &[bool], first_row: usize, rows: usize, reach: usize) -> Vec<bool> {
         let width = self.width;
         let mut is_near = vec![false; rows * width];
-        // Whether a pixel of the column within reach is shown, with `reach` columns of padding on both sides.
+        // For each column, whether a pixel within reach is shown; with `reach` columns of padding on both sides.
         let mut padded = vec![false; width + 2 * reach];
         for (row, is_near) in (first_row..).zip(is_near.chunks_mut(width)) {
             let columns = &mut padded[reach..reach + width];
@@ -202,8 +201,8 @@ impl<'a> SurroundingViews<'a> {
     }
 }
 
-/// Returns the height and width of the largest block of pixels whose samples fit into a packet, or of one pixel.
-fn block_of(samples: usize) -> [usize; 2] {
+/// Returns height and width of the largest block of pixels whose samples fit into a packet, at least one pixel.
+fn block_size(samples: usize) -> [usize; 2] {
     let mut block = [TILE, TILE];
     while block[0] * block[1] * samples > PACKET && block != [1, 1] {
         let longer = if block[0] < block[1] { 1 } else { 0 };
@@ -212,15 +211,14 @@ fn block_of(samples: usize) -> [usize; 2] {
     block
 }
 
-/// Returns the pixels of a block, as rows and columns, in squares of 2 × 2 pixels, so that the lanes of a group hold
-/// neighbours.
+/// Returns rows and columns of a block's pixels, by squares of 2 × 2 pixels, so that groups of rays are compact.
 fn pixel_order([high, wide]: [usize; 2]) -> Vec<[usize; 2]> {
     let mut pixels: Vec<_> = (0..high).flat_map(|row| (0..wide).map(move |column| [row, column])).collect();
     pixels.sort_by_key(|[row, column]| [row / 2, column / 2, *row, *column]);
     pixels
 }
 
-/// Returns the pixels that lie within a size, offset by the start.
+/// Returns the pixels of the block at `start`; those beyond `size` are omitted.
 fn pixels_of(start: [usize; 2], size: [usize; 2], order: &[[usize; 2]]) -> impl Iterator<Item = [usize; 2]> {
     let within = order.iter().filter(move |[row, column]| *row < size[0] && *column < size[1]);
     within.map(move |[row, column]| [start[0] + row, start[1] + column])
@@ -246,7 +244,7 @@ mod tests {
     fn blocks_fill_packets() {
         let expected = [(1, [8, 8]), (2, [4, 8]), (3, [4, 4]), (4, [4, 4]), (9, [2, 2]), (32, [1, 2]), (65, [1, 1])];
         for (samples, block) in expected {
-            assert_eq!(block_of(samples), block, "{samples}");
+            assert_eq!(block_size(samples), block, "{samples}");
         }
     }
 

@@ -30,15 +30,15 @@ const MAX_GROWTH_SPEED: f32 = 4.0;
 const MIN_HALF_SIDE: f32 = 1e-12;
 
 impl Moving<'_> {
-    /// Blends the picture, with a weight, with the history `gathered`, of the same size.
-    pub fn gather(&self, gathered: &[Color], weight: f32, mixed: &mut [Color], progress: &Progress) -> Result<()> {
+    /// Blends the picture, with a weight, into the history, a picture of the same size.
+    pub fn gather(&self, history: &[Color], weight: f32, mixed: &mut [Color], progress: &Progress) -> Result<()> {
         let count = self.color.len();
         let are_rows = self.width > 0 && count.is_multiple_of(self.width);
         ensure!(are_rows, "color", format!("rows of {} pixels", self.width), count);
         for (argument, length) in [
             ("motion", self.motion.len()),
             ("range", self.range.len()),
-            ("gathered", gathered.len()),
+            ("gathered", history.len()),
             ("mixed", mixed.len()),
         ] {
             ensure!(length == count, argument, format!("{count} pixels"), length);
@@ -46,7 +46,7 @@ impl Moving<'_> {
         mixed.par_chunks_mut(self.width).enumerate().try_for_each(|(y, row)| {
             for (x, mixed) in row.iter_mut().enumerate() {
                 let now = self.color[y * self.width + x];
-                *mixed = match self.history_color(gathered, x, y) {
+                *mixed = match self.history_color(history, x, y) {
                     None => now,
                     Some(before) => std::array::from_fn(|i| before[i] + (now[i] - before[i]) * weight),
                 };
@@ -56,26 +56,26 @@ impl Moving<'_> {
     }
 
     /// Returns the history's colour at the previous position of a pixel's surface; `None` outside the picture.
-    fn history_color(&self, gathered: &[Color], x: usize, y: usize) -> Option<Color> {
+    fn history_color(&self, history: &[Color], x: usize, y: usize) -> Option<Color> {
         let (width, height) = (self.width, self.color.len() / self.width);
         let [right, down] = self.motion[self.nearest_around(x, y)];
-        let from = [x as f64 + 0.5 - f64::from(right), y as f64 + 0.5 - f64::from(down)];
-        let is_inside = (0.0..=width as f64).contains(&from[0]) && (0.0..=height as f64).contains(&from[1]);
+        let position = [x as f64 + 0.5 - f64::from(right), y as f64 + 0.5 - f64::from(down)];
+        let is_inside = (0.0..=width as f64).contains(&position[0]) && (0.0..=height as f64).contains(&position[1]);
         if !is_inside {
             return None;
         }
         let speed = right.hypot(down);
         let growth = 1.0 + STATIC_GROWTH * (1.0 - (speed / MAX_GROWTH_SPEED).min(1.0));
-        Some(self.box_around(x, y, growth).clamp(cubic(gathered, width, from)))
+        Some(self.box_around(x, y, growth).clamp(cubic(history, width, position)))
     }
 
-    /// Returns the pixel with the nearest surface in the 3 × 3 square: both sides of an edge move with its foreground.
+    /// Returns the pixel of the nearest of 3 × 3 surfaces, so that both sides of an edge follow the foreground.
     fn nearest_around(&self, x: usize, y: usize) -> usize {
         let nearer = |a: usize, b: usize| if self.range[b] < self.range[a] { b } else { a };
         self.neighbourhood(x, y).fold(y * self.width + x, nearer)
     }
 
-    /// Returns the pixels of the 3 × 3 square around one that lie in the picture.
+    /// Returns the pixels of the picture in the 3 × 3 square around a pixel.
     fn neighbourhood(&self, x: usize, y: usize) -> impl Iterator<Item = usize> {
         let (width, height) = (self.width, self.color.len() / self.width);
         let columns = x.saturating_sub(1)..(x + 2).min(width);

@@ -1,7 +1,7 @@
 //! Loop over a view's pixels, shared by ground truth, environment maps and reduced scenes.
 //!
-//! Threads process bands of eight rows, and the tracer receives tiles of 8 × 8 pixels within them. Each pixel is
-//! computed independently and in a fixed order, so the result does not depend on the number of threads.
+//! Threads process bands of eight rows, and the tracer receives tiles of 8 × 8 pixels within them. A pixel's samples
+//! are summed in a fixed order, so the result does not depend on the number of threads.
 
 use glam::DVec3;
 use rayon::prelude::*;
@@ -32,8 +32,7 @@ pub trait Picture: Sync {
     /// Adds the linear RGB of a tile's traced rays, hits or misses, to their sums.
     fn add_colors(&self, rays: &[Ray], hits: &[Hit], footprint: impl Fn(usize) -> Footprint, sums: &mut [[f32; 3]]);
 
-    /// Returns the other channels of a traced ray, hit or miss; channels that are not requested may keep their
-    /// defaults.
+    /// Returns the other channels of a traced ray, hit or miss. Channels that are not requested may keep defaults.
     fn sample(&self, ray: &Ray, hit: &Hit, footprint: impl FnOnce() -> Footprint, channels: Channels) -> Sample;
 }
 
@@ -67,13 +66,13 @@ impl Spots<'_> {
 /// Pixels to draw, and the background of samples without a triangle.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Pixels<'a> {
-    /// Flag per pixel whether it is drawn; `None` draws all. Other pixels are black misses.
+    /// Flag per pixel whether it is drawn; `None` draws all. Pixels that are not drawn are black misses.
     pub mask: Option<&'a [bool]>,
     /// Whether samples without a triangle are black instead of showing map or sky.
     pub bare: bool,
-    /// Whether adapters also cull geometry that lies entirely behind pixels that are not drawn.
+    /// Whether GPUs also cull geometry that lies entirely behind pixels that are not drawn.
     pub occlusion: bool,
-    /// Flag per instance whether the picture may show it, if known; adapters cull the others.
+    /// Flag per instance whether the picture may show it, if known; GPUs cull the others.
     pub instances: Option<&'a [bool]>,
 }
 
@@ -108,7 +107,7 @@ pub fn draw(view: &RenderView<'_>, picture: &impl Picture, progress: &Progress) 
     let caster = Caster::new(view)?;
     let mut frame = Frame::new(view.channels, caster.pixel_count())?;
     let paint = |tile: &ImageTile, band: &mut Band<'_>, (): &mut ()| caster.paint(picture, view, tile, band);
-    caster.for_tiles(&mut frame, progress, paint)?;
+    caster.for_each_tile(&mut frame, progress, paint)?;
     Ok(frame)
 }
 
@@ -257,7 +256,7 @@ impl<'a> Caster<'a> {
     }
 
     /// Calls a function for each tile with its band of the frame and a value per band; returns these values in order.
-    pub(super) fn for_tiles<T: Default + Send>(
+    pub(super) fn for_each_tile<T: Default + Send>(
         &self,
         frame: &mut Frame,
         progress: &Progress,
@@ -283,8 +282,8 @@ impl<'a> Caster<'a> {
         bands.map(paint_band).collect()
     }
 
-    /// Writes the rays of a tile.
-    pub(super) fn aim(&self, tile: &ImageTile, offset: [f64; 2], rays: &mut [Ray]) {
+    /// Writes the rays of a tile's drawn pixels; `offset` is relative to a pixel's corner.
+    pub(super) fn write_rays(&self, tile: &ImageTile, offset: [f64; 2], rays: &mut [Ray]) {
         for (n, ray) in rays.iter_mut().enumerate() {
             let (x, y) = tile.position(n, offset);
             *ray = self.view.ray(x, y);
@@ -345,7 +344,7 @@ impl<'a> Caster<'a> {
     }
 
     fn trace(&self, picture: &impl Picture, tile: &ImageTile, offset: [f64; 2], rays: &mut [Ray], hits: &mut [Hit]) {
-        self.aim(tile, offset, rays);
+        self.write_rays(tile, offset, rays);
         picture.trace(rays, hits, &Spots { tile, offset });
     }
 }

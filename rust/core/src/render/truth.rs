@@ -25,7 +25,7 @@ pub fn render(
     draw(&view, &Truth { scene, filter: &AlphaFilter::new(scene, All) }, progress)
 }
 
-/// A scene seen along straight rays: the surfaces that a filter accepts, in front of the sky.
+/// A scene along straight rays: the surfaces that a filter accepts, in front of the sky.
 pub struct Truth<'a> {
     /// The scene, which must have been built.
     pub scene: &'a Scene,
@@ -39,8 +39,8 @@ impl Picture for Truth<'_> {
     }
 
     fn add_colors(&self, rays: &[Ray], hits: &[Hit], footprint: impl Fn(usize) -> Footprint, sums: &mut [[f32; 3]]) {
-        let missed = |n: usize| background(rays[n].direction);
-        add_colors(self.scene, rays, hits, footprint, |&hit| hit, missed, sums);
+        let miss_color = |n: usize| background(rays[n].direction);
+        add_colors(self.scene, rays, hits, footprint, |&hit| hit, miss_color, sums);
     }
 
     fn sample(&self, ray: &Ray, hit: &Hit, footprint: impl FnOnce() -> Footprint, channels: Channels) -> Sample {

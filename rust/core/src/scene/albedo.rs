@@ -10,8 +10,8 @@ use crate::base::by_number;
 /// Returns the mip level for a footprint on the surface (metres) and a texture density there (texels per metre): log₂
 /// of the number of texels across the footprint.
 ///
-/// A ray's footprint width on a surface is the ray's width, perpendicular to its direction, divided by √cos of the
-/// angle between normal and ray. This is the geometric mean of the ellipse's axes, a compromise between blur and flicker on streets.
+/// The footprint's width is the ray's width, perpendicular to its direction, divided by √cos of the angle between
+/// normal and ray. This is the geometric mean of the ellipse's axes, a compromise between blur and flicker on streets.
 #[inline]
 pub fn texture_level(footprint: f32, density: f32) -> f32 {
     (footprint * density).log2()
@@ -77,8 +77,7 @@ impl Scene {
         albedo
     }
 
-    /// Returns the linear RGB that a material emits at a spot: factor × texture. Not inlined, so that materials
-    /// without emission cost no time.
+    /// Returns the linear RGB emission at a spot: factor × texture. Not inlined, to keep other materials fast.
     #[inline(never)]
     pub fn emission(&self, material: &Material, spot: &Spot<'_>) -> [f32; 3] {
         let color = self.texture_color(material.emission_texture, spot, false).unwrap_or([1.0; 3]);

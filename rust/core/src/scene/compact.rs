@@ -1,11 +1,11 @@
 //! Extraction of faces, with only the vertices that they use.
 //!
 //! Vertices are grouped in pages of 64, with one bit per vertex. Successive faces use nearby vertices, so most corners
-//! hit the same page as the previous corner, and only pages are sorted.
+//! are on the same page as the previous corner, and only the short list of page visits is sorted.
 
 use rayon::prelude::*;
 
-use super::mesh::{Mesh, TILE, gathered};
+use super::mesh::{Mesh, TILE, gather};
 use crate::base::mapped::set_bits;
 use crate::base::memory::{try_concat, try_vec, try_with_capacity};
 use crate::base::sort::sort_by_key;
@@ -27,7 +27,7 @@ impl Mesh {
     }
 
     fn part(&self, chosen: &[u32], shares_vertices: bool, progress: &Progress) -> Result<Self> {
-        let faces = gathered(&self.faces, chosen, progress)?;
+        let faces = gather(&self.faces, chosen, progress)?;
         let objects = self.objects.selected(chosen, progress)?;
         let materials = self.materials.selected(chosen, progress)?;
         if shares_vertices {
@@ -45,21 +45,21 @@ struct Pages {
     /// Bit mask of the used vertices of each page.
     bits: Vec<u64>,
     /// Number of used vertices in earlier pages.
-    before: Vec<u32>,
+    offsets: Vec<u32>,
     count: usize,
 }
 
 impl Pages {
     fn new(faces: &[[u32; 3]], progress: &Progress) -> Result<Self> {
-        let tiles = faces.par_chunks(TILE).map(|tile| progress.check().map(|()| visited(tile)));
+        let tiles = faces.par_chunks(TILE).map(|tile| progress.check().map(|()| page_masks(tile)));
         let mut visits = try_concat(&tiles.collect::<Result<Vec<_>>>()?)?;
         sort_by_key(&mut visits, |&(page, _)| page, progress)?;
-        let mut pages = Self { numbers: vec![], bits: vec![], before: vec![], count: 0 };
+        let mut pages = Self { numbers: vec![], bits: vec![], offsets: vec![], count: 0 };
         for same in visits.chunk_by(|a, b| a.0 == b.0) {
             let bits = same.iter().fold(0, |all, &(_, bits)| all | bits);
             pages.numbers.push(same[0].0);
             pages.bits.push(bits);
-            pages.before.push(pages.count as u32);
+            pages.offsets.push(pages.count as u32);
             pages.count += bits.count_ones() as usize;
         }
         Ok(pages)
@@ -76,37 +76,40 @@ impl Pages {
 
     /// Returns the faces with vertices renumbered to their positions among the used ones.
     fn renumbered(&self, faces: &[[u32; 3]], progress: &Progress) -> Result<Vec<[u32; 3]>> {
-        let of_tile = |tile: &[[u32; 3]], renumbered: &mut [[u32; 3]]| {
-            // Indices of the pages of the last two corners that are on different pages.
+        let renumber_tile = |tile: &[[u32; 3]], renumbered: &mut [[u32; 3]]| {
+            // Indices of the last two pages that corners were on.
             let (mut current, mut previous) = (0, 0);
             let mut renumber = |vertex: u32| {
                 let page = vertex >> PAGE_BITS;
                 if self.numbers[current] != page {
                     std::mem::swap(&mut current, &mut previous);
                     if self.numbers[current] != page {
-                        // Every page is in the list, so the search finds it.
+                        // The list has the page of every corner.
                         current = self.numbers.partition_point(|&number| number < page);
                     }
                 }
                 let lower_bits = self.bits[current] & ((1 << (vertex & ((1 << PAGE_BITS) - 1))) - 1);
-                self.before[current] + lower_bits.count_ones()
+                self.offsets[current] + lower_bits.count_ones()
             };
             renumbered.iter_mut().zip(tile).for_each(|(renumbered, face)| *renumbered = face.map(&mut renumber));
             progress.check()
         };
         let mut renumbered = try_vec([0; 3], faces.len())?;
         match faces.len() {
-            0..=TILE => of_tile(faces, &mut renumbered)?,
-            _ => faces.par_chunks(TILE).zip(renumbered.par_chunks_mut(TILE)).try_for_each(|(a, b)| of_tile(a, b))?,
+            0..=TILE => renumber_tile(faces, &mut renumbered)?,
+            _ => faces
+                .par_chunks(TILE)
+                .zip(renumbered.par_chunks_mut(TILE))
+                .try_for_each(|(a, b)| renumber_tile(a, b))?,
         }
         Ok(renumbered)
     }
 }
 
-/// Returns the pages of the faces' vertices with vertex bit masks; a page may occur several times.
-fn visited(faces: &[[u32; 3]]) -> Vec<(u32, u64)> {
+/// Returns the pages that faces visit and the bit masks of their vertices; a page may occur several times.
+fn page_masks(faces: &[[u32; 3]]) -> Vec<(u32, u64)> {
     let mut visits: Vec<(u32, u64)> = Vec::new();
-    // A face may span two pages, so the last two stay open.
+    // The last two pages stay open, because successive corners often alternate between two.
     let mut open = [(u32::MAX, 0u64); 2];
     for &vertex in faces.as_flattened() {
         let (page, bit) = (vertex >> PAGE_BITS, 1 << (vertex & ((1 << PAGE_BITS) - 1)));

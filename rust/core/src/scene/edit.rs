@@ -1,5 +1,4 @@
-//! Derived scenes: more objects move, or only some triangles remain. Unchanged meshes, their trees and textures are
-//! shared.
+//! Derived scenes with more moving objects or fewer triangles. Unchanged meshes, their trees and textures are shared.
 
 use std::sync::Arc;
 
@@ -21,7 +20,7 @@ impl Scene {
         if !chosen.contains(&true) {
             return Ok(self.clone());
         }
-        let is_chosen = |object| holds(chosen, object);
+        let is_chosen = |object| contains(chosen, object);
         let (mut standing, mut moving) = (Vec::new(), try_concat(&[self.moving.instances()])?);
         for instance in self.standing.instances() {
             match instance.object {
@@ -47,12 +46,12 @@ impl Scene {
 
     /// Returns a scene with only the objects of `chosen`, a flag per object.
     pub fn subset_of_objects(&self, chosen: &[bool], progress: &Progress) -> Result<Self> {
-        self.subset_by_object(|object| holds(chosen, object), progress)
+        self.subset_by_object(|object| contains(chosen, object), progress)
     }
 
     /// Returns the scene without the objects of `chosen`, a flag per object; faces without an object stay.
     pub fn without_objects(&self, chosen: &[bool], progress: &Progress) -> Result<Self> {
-        self.subset_by_object(|object| !holds(chosen, object), progress)
+        self.subset_by_object(|object| !contains(chosen, object), progress)
     }
 
     fn subset_by_object(&self, stays: impl Fn(i32) -> bool + Sync, progress: &Progress) -> Result<Self> {
@@ -100,11 +99,11 @@ impl Scene {
         merge(&parts.collect::<Result<Vec<_>>>()?, progress)
     }
 
-    /// Returns a scene with the faces that `keep` returns for the first triangle number of an instance and the instance;
-    /// `None` for all.
+    /// Returns a scene with some of its faces. `keep` gets the number of an instance's first triangle and the instance,
+    /// and returns the faces that stay; `None` for all.
     fn subset(&self, keep: impl Fn(i64, &Instance) -> Result<Option<Vec<u32>>>, progress: &Progress) -> Result<Self> {
         let mut first = 0;
-        let mut of_set = |set: &InstanceSet| -> Result<Option<InstanceSet>> {
+        let mut subset_of_set = |set: &InstanceSet| -> Result<Option<InstanceSet>> {
             let mut is_unchanged = true;
             let mut instances = Vec::new();
             for instance in set.instances() {
@@ -122,7 +121,7 @@ impl Scene {
             }
             Ok((!is_unchanged).then(|| InstanceSet::new(instances)))
         };
-        Ok(self.with_sets(of_set(&self.standing)?, of_set(&self.moving)?))
+        Ok(self.with_sets(subset_of_set(&self.standing)?, subset_of_set(&self.moving)?))
     }
 }
 
@@ -139,8 +138,8 @@ impl Instance {
     }
 }
 
-/// Returns whether `chosen`, a flag per object, contains an object.
-pub(super) fn holds(chosen: &[bool], object: i32) -> bool {
+/// Returns the flag of an object; false without one.
+pub(super) fn contains(chosen: &[bool], object: i32) -> bool {
     by_number(chosen, object) == Some(&true)
 }
 
@@ -179,8 +178,7 @@ mod tests {
     use super::*;
     use crate::scene::Material;
 
-    /// A row of triangles along x, one for each entry of `objects`, and an instance of the first triangle at a greater
-    /// height.
+    /// A row of triangles along x, one for each entry of `objects`, and a higher instance of the first triangle.
     fn row(objects: &[i32]) -> Scene {
         let corners = |i: usize| [[i as f32, 0.0, 0.0], [i as f32 + 0.5, 0.0, 0.0], [i as f32, 0.5, 0.0]];
         let triangles: Vec<_> = (0..objects.len()).map(corners).collect();
@@ -206,14 +204,14 @@ mod tests {
         assert!(scene.gathered(&[], &Progress::new()).unwrap().faces.is_empty());
     }
 
-    /// Object and corners of each triangle, sorted, so that scenes can be compared in any order.
+    /// Returns object and corners of each triangle, sorted, so that the order of triangles does not matter.
     fn contents(scene: &Scene) -> Vec<(i32, [Vec3; 3])> {
-        let of = |instance: &Instance| {
+        let triangles = |instance: &Instance| {
             (0..instance.mesh.faces.len() as u32)
                 .map(|face| (instance.object_of(face), instance.corners(face)))
                 .collect::<Vec<_>>()
         };
-        let mut all: Vec<_> = scene.instances().flat_map(of).collect();
+        let mut all: Vec<_> = scene.instances().flat_map(triangles).collect();
         all.sort_by_key(|(object, corners)| (*object, corners.map(|p| p.to_array().map(f32::to_bits))));
         all
     }
@@ -263,7 +261,7 @@ mod tests {
     }
 
     #[test]
-    fn another_number_of_flags_is_refused() {
+    fn a_wrong_number_of_flags_is_refused() {
         assert!(row(&[0]).subset_of_triangles(&[true], &Progress::new()).is_err());
     }
 }

@@ -25,7 +25,7 @@ impl Scene {
     /// Joins scenes into one, in the frame of the first. Equal materials and textures are stored once. Meshes whose
     /// object and material numbers do not change are shared with their search trees; others share vertices and faces.
     pub fn join(parts: &[Joined<'_>], progress: &Progress) -> Result<Self> {
-        let [first, ..] = parts else { return Err(Error::value("scenes", "one at least", 0)) };
+        let [first, ..] = parts else { return Err(Error::value("scenes", "at least one", 0)) };
         let mut surfaces = Surfaces::from_scene(first.scene);
         let (mut standing, mut moving) = (Vec::new(), Vec::new());
         for part in parts {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use glam::DAffine3;
 
-use super::edit::holds;
+use super::edit::contains;
 use super::instance::{Instance, InstanceSet};
 use super::material::Material;
 use super::merge::{PlacedMesh, merge};
@@ -64,7 +64,7 @@ impl Scene {
     /// Returns the instances that belong entirely to an object of `chosen`, a flag per object.
     pub fn instances_of(&self, chosen: &[bool]) -> impl Iterator<Item = (i32, &Instance)> {
         self.instances().filter_map(move |instance| {
-            instance.object.filter(|&object| holds(chosen, object)).map(|object| (object, instance))
+            instance.object.filter(|&object| contains(chosen, object)).map(|object| (object, instance))
         })
     }
 }
@@ -97,7 +97,7 @@ impl InstanceSet {
 /// Materials and textures of several scenes, without duplicates.
 pub(super) struct Surfaces<'a> {
     materials: Vec<Material>,
-    /// Textures of all scenes; copies of them are created at the end.
+    /// Textures of all scenes; the result gets copies that share their texels.
     textures: Vec<&'a Texture>,
 }
 
@@ -120,8 +120,8 @@ impl<'a> Surfaces<'a> {
         scene.materials.iter().map(number).collect()
     }
 
-    /// Returns the scene to which others were added, with these materials and textures. If nothing was added, it keeps
-    /// its own lists, because devices identify lists by their address.
+    /// Returns `scene` with these materials and textures. A list to which nothing was added is not replaced, because
+    /// GPU back ends identify lists by their addresses.
     pub(super) fn into_scene(self, scene: &Scene) -> Scene {
         let mut result = scene.clone();
         if self.textures.len() > scene.textures.len() {
@@ -134,7 +134,7 @@ impl<'a> Surfaces<'a> {
     }
 }
 
-/// Returns the index of an item in a list, to which it is added unless the list has the same one.
+/// Returns the index of an item in a list; appends it if the list has no equal one.
 fn index_of<T>(list: &mut Vec<T>, item: T, is_same: impl Fn(&T, &T) -> bool) -> usize {
     list.iter().position(|other| is_same(other, &item)).unwrap_or_else(|| {
         list.push(item);

@@ -1,4 +1,4 @@
-//! Merging of meshes that are used once: one tree is faster than a tree for each of thousands of small meshes.
+//! Merging of meshes that are used once: one tree is faster than thousands of trees of small meshes.
 
 use std::sync::Arc;
 
@@ -43,13 +43,13 @@ pub fn merge(parts: &[PlacedMesh], progress: &Progress) -> Result<Mesh> {
     let (uvs, colors) = match parts {
         [only] => (only.mesh.uvs.clone(), only.mesh.colors.clone()),
         _ => (
-            by_vertex_if_any(
+            collect_attribute(
                 parts,
                 |mesh| &mesh.uvs,
                 [0.0; 2],
                 |_, uvs, slots| write_mapped(uvs, slots, Clone::clone, progress),
             )?,
-            by_vertex_if_any(
+            collect_attribute(
                 parts,
                 |mesh| &mesh.colors,
                 [255; 4],
@@ -67,7 +67,7 @@ pub fn merge(parts: &[PlacedMesh], progress: &Progress) -> Result<Mesh> {
             let place = |part: &PlacedMesh, normals: &[[f32; 3]], slots: &mut [[f32; 3]]| {
                 place_normals(&part.to_scene, normals, slots, progress)
             };
-            (placed_positions(parts, progress)?, by_vertex_if_any(parts, |mesh| &mesh.normals, [0.0; 3], place)?)
+            (placed_positions(parts, progress)?, collect_attribute(parts, |mesh| &mesh.normals, [0.0; 3], place)?)
         }
     };
     let uniform: Vec<_> = parts.iter().map(|part| part.object.map(FaceMap::Uniform)).collect();
@@ -80,7 +80,7 @@ pub fn merge(parts: &[PlacedMesh], progress: &Progress) -> Result<Mesh> {
 }
 
 fn placed_positions(parts: &[PlacedMesh], progress: &Progress) -> Result<Buffer<[f32; 3]>> {
-    by_vertex(parts, [0.0; 3], |part, slots| {
+    collect_by_vertex(parts, [0.0; 3], |part, slots| {
         if part.to_scene == DAffine3::IDENTITY {
             return write_mapped(&part.mesh.positions, slots, Clone::clone, progress);
         }
@@ -104,8 +104,8 @@ fn joined_faces(parts: &[PlacedMesh], counts: &[usize], progress: &Progress) -> 
     Ok(faces.into())
 }
 
-/// Collects values of all vertices; `write` gets a part and the slots of its vertices.
-fn by_vertex<T: Copy + Send + Sync + 'static>(
+/// Collects a value for each vertex; `write` gets a part and the slots of its vertices.
+fn collect_by_vertex<T: Copy + Send + Sync + 'static>(
     parts: &[PlacedMesh],
     neutral: T,
     write: impl Fn(&PlacedMesh, &mut [T]) -> Result<()> + Sync,
@@ -117,7 +117,7 @@ fn by_vertex<T: Copy + Send + Sync + 'static>(
 }
 
 /// Collects an attribute of all vertices, neutral for parts without it; `None` if no part has it.
-fn by_vertex_if_any<T: Copy + Send + Sync + 'static>(
+fn collect_attribute<T: Copy + Send + Sync + 'static>(
     parts: &[PlacedMesh],
     attribute: impl Fn(&Mesh) -> &Option<Buffer<T>> + Sync,
     neutral: T,
@@ -128,7 +128,7 @@ fn by_vertex_if_any<T: Copy + Send + Sync + 'static>(
         None => Ok(()),
     };
     let is_any = parts.iter().any(|part| attribute(&part.mesh).is_some());
-    is_any.then(|| by_vertex(parts, neutral, write)).transpose()
+    is_any.then(|| collect_by_vertex(parts, neutral, write)).transpose()
 }
 
 #[cfg(test)]

@@ -59,10 +59,11 @@ impl Mesh {
         objects.validate("objects", faces.len(), i32::MAX)?;
         materials.validate("materials", faces.len(), i32::MAX)?;
         check_finite("vertices", &positions)?;
-        Self::unchecked(positions, faces, uvs, colors, objects, materials).within_reach()
+        Self::unchecked(positions, faces, uvs, colors, objects, materials).checked_reach()
     }
 
-    pub(super) fn within_reach(self) -> Result<Self> {
+    /// Returns the mesh if its coordinates are within `REACH`.
+    pub(super) fn checked_reach(self) -> Result<Self> {
         let reach = self.bounds.reach();
         ensure!(reach <= REACH as f32, "vertices", format!("coordinates within ±{REACH:e} m"), format!("{reach:e} m"));
         Ok(self)
@@ -93,8 +94,7 @@ impl Mesh {
         Self { normals, ..self }
     }
 
-    /// Returns a mesh of faces between the vertices `used` of this mesh. Faces number these vertices from 0, and each
-    /// vertex has a face.
+    /// Returns a mesh of the vertices `used` of this mesh, each of which has a face, and faces that number them from 0.
     pub(super) fn with_vertices(
         &self,
         used: &[u32],
@@ -108,9 +108,9 @@ impl Mesh {
             used: &[u32],
             progress: &Progress,
         ) -> Result<Option<Buffer<T>>> {
-            values.as_ref().map(|values| Ok(gathered(values, used, progress)?.into())).transpose()
+            values.as_ref().map(|values| Ok(gather(values, used, progress)?.into())).transpose()
         }
-        let positions = gathered(&self.positions, used, progress)?;
+        let positions = gather(&self.positions, used, progress)?;
         Ok(Self {
             bounds: box_of(&positions, |bounds, &point| bounds.extend(point.into())),
             positions: positions.into(),
@@ -163,8 +163,7 @@ impl Mesh {
         Ok(mesh)
     }
 
-    /// Returns the number of faces without area: two equal corners, or all three on a line, in exact arithmetic of the
-    /// float32 edges.
+    /// Returns the number of faces without area: two corners are equal, or all three are collinear, in float64.
     pub fn degenerate_count(&self, progress: &Progress) -> Result<usize> {
         let is_degenerate = |face: &&[u32; 3]| {
             let [a, b, c] = face.map(|vertex| Vec3::from_array(self.positions[vertex as usize]).as_dvec3());
@@ -174,7 +173,7 @@ impl Mesh {
         self.faces.par_chunks(TILE).map(count).sum()
     }
 
-    /// Returns the memory of the arrays and of the tree, bytes.
+    /// Returns the size of the arrays and of the tree, bytes.
     pub fn bytes(&self) -> usize {
         fn bytes_of<T>(rows: &Option<Buffer<T>>) -> usize {
             rows.as_deref().map_or(0, size_of_val)
@@ -208,8 +207,8 @@ impl Mesh {
         self.bvh.get()
     }
 
-    /// Builds the bounding volume hierarchy on first use. Concurrent callers each build one and the first is kept: a
-    /// thread that waits inside rayon for a part of the work may run a task that needs this tree, too.
+    /// Builds the bounding volume hierarchy on first use. Concurrent callers each build one, and the first is kept. A
+    /// lock could deadlock: a thread that waits inside rayon may run a task that needs the same tree.
     pub fn build_bvh(&self, progress: &Progress) -> Result<&Bvh> {
         if let Some(bvh) = self.bvh.get() {
             return Ok(bvh);
@@ -226,7 +225,7 @@ impl Mesh {
     }
 }
 
-/// Flips a face: the second and third corner are exchanged.
+/// Exchanges the second and third corner of a face.
 pub(crate) fn flipped(&[a, b, c]: &[u32; 3]) -> [u32; 3] {
     [a, c, b]
 }
@@ -246,14 +245,13 @@ pub(super) fn check_finite(argument: &'static str, rows: &[[f32; 3]]) -> Result<
     }
 }
 
-/// Returns the box of all faces. Reading vertices through faces is random access, so for a large mesh this first tests
-/// whether faces use the six vertices that define the box of all vertices. That is the case unless the mesh has unused
-/// vertices.
+/// Returns the box of all faces. Reading vertices through faces is random access. So for a large mesh this first tests
+/// whether faces use six vertices that define the box of all vertices, as they do unless some vertices are unused.
 fn bounds_of(positions: &[[f32; 3]], faces: &[[u32; 3]]) -> Aabb {
     if faces.len() > TILE {
         let all = box_of(positions, |bounds, &point| bounds.extend(point.into()));
         let extremes = extremes(positions, &all);
-        // One comparison at a time over a piece that stays in the cache; the compiler vectorises this loop.
+        // One vertex is compared at a time with a piece that stays in the cache; the compiler vectorises this loop.
         let contains =
             |corners: &[u32], vertex: u32| corners.iter().fold(0, |any, &v| any | u32::from(v == vertex)) != 0;
         let found_in = |piece: &[[u32; 3]]| extremes.map(|vertex| contains(piece.as_flattened(), vertex));
@@ -284,7 +282,7 @@ pub(super) fn box_of<T: Sync>(rows: &[T], extend: impl Fn(&mut Aabb, &T) + Sync)
     rows.par_chunks(TILE).map(tile_bounds).reduce(|| Aabb::EMPTY, |a, b| a.union(&b))
 }
 
-pub(super) fn gathered<T: Copy + Send + Sync>(values: &[T], rows: &[u32], progress: &Progress) -> Result<Vec<T>> {
+pub(super) fn gather<T: Copy + Send + Sync>(values: &[T], rows: &[u32], progress: &Progress) -> Result<Vec<T>> {
     mapped(rows, |&row| values[row as usize], progress)
 }
 
@@ -302,7 +300,7 @@ mod tests {
     }
 
     #[test]
-    fn a_large_mesh_has_the_box_of_its_faces_with_and_without_strays() {
+    fn a_large_mesh_has_the_box_of_its_faces_with_and_without_unused_vertices() {
         let count = TILE + 10;
         let corner = |i: usize| [i as f32, (i % 7) as f32, -(i as f32)];
         let mut positions: Vec<[f32; 3]> = (0..count + 2).map(corner).collect();

@@ -13,11 +13,11 @@ const BLOCK_BYTES: usize = 8192;
 const BLOCK_ROWS: usize = 256;
 /// Row counts of attribute blocks are multiples of this number.
 const GROUP_ROWS: usize = 16;
-/// Size of the attribute codec's tail, bytes: the smaller of both versions.
+/// Minimum bytes after the blocks of an attribute stream, in any version of the codec.
 const ATTRIBUTES_TAIL: usize = 24;
-/// Size of the table at the end of triangles, bytes.
+/// Bytes of the table at the end of a triangle stream.
 const TRIANGLES_TAIL: usize = 16;
-/// Size of the tail of indices, bytes.
+/// Bytes at the end of an index stream.
 const INDICES_TAIL: usize = 4;
 
 /// Codec of a stream, by the kind of its rows.
@@ -64,7 +64,7 @@ pub struct Layout {
 /// Damaged bytes give an error or wrong rows; indices are not range-checked.
 pub fn decode(bytes: &[u8], layout: Layout) -> Result<Vec<u32>> {
     layout.check()?;
-    let size = layout.count.checked_mul(layout.stride).filter(|_| layout.least_bytes() <= bytes.len());
+    let size = layout.count.checked_mul(layout.stride).filter(|_| layout.min_bytes() <= bytes.len());
     let size = size.ok_or_else(|| {
         let Layout { count, stride, .. } = layout;
         Error::Scene(format!("{count} rows of {stride} bytes cannot come from {} bytes", bytes.len()))
@@ -76,9 +76,9 @@ pub fn decode(bytes: &[u8], layout: Layout) -> Result<Vec<u32>> {
         Mode::Triangles => ffi::meshopt_decodeIndexBuffer,
         Mode::Indices => ffi::meshopt_decodeIndexSequence,
     };
-    // SAFETY: each decoder reads within `bytes`, also where these are damaged, and writes no more than `count` rows of
-    // `stride` bytes, for which `words` has room and alignment. `check` accepts only strides and counts that each
-    // allows: vertices of a multiple of 4 bytes up to 256, indices of 2 or 4, three for each triangle.
+    // SAFETY: each decoder reads within `bytes`, even if they are damaged, and writes at most `count` rows of `stride`
+    // bytes, for which `words` has room and alignment. `check` accepts only strides and counts that the decoder allows:
+    // a multiple of 4 bytes up to 256 for attributes, 2 or 4 bytes for indices, and three indices per triangle.
     let failure =
         unsafe { decoder(words.as_mut_ptr().cast(), layout.count, layout.stride, bytes.as_ptr(), bytes.len()) };
     if failure != 0 {
@@ -115,10 +115,10 @@ impl Layout {
         Ok(())
     }
 
-    /// Returns the size of the shortest possible stream. Memory for rows is allocated only for streams at least as
-    /// long, so that a small file cannot claim much: one byte encodes at most 1024 bytes of attributes or three
+    /// Returns the size of the shortest possible stream. Shorter streams are refused before memory for their rows is
+    /// allocated, so that a small file cannot claim much. One byte encodes at most 1024 bytes of attributes or three
     /// indices.
-    fn least_bytes(&self) -> usize {
+    fn min_bytes(&self) -> usize {
         let (body, tail) = match self.mode {
             Mode::Attributes => {
                 let rows = (BLOCK_BYTES / self.stride / GROUP_ROWS * GROUP_ROWS).min(BLOCK_ROWS);
@@ -198,12 +198,12 @@ mod tests {
         let corners: Vec<u32> = (0..300u32).flat_map(|n| [n, n + 1, n + 2, n + 2, n + 1, 302 + n * 7 % 300]).collect();
         let bytes = encode_index_buffer(&corners, 602).unwrap();
         // The codec may rotate a triangle's corners.
-        let turned = |corners: &[u32]| -> Vec<[u32; 3]> {
+        let canonical = |corners: &[u32]| -> Vec<[u32; 3]> {
             let least = |&[a, b, c]: &[u32; 3]| [[a, b, c], [b, c, a], [c, a, b]].into_iter().min().unwrap();
             corners.as_chunks::<3>().0.iter().map(least).collect()
         };
         let long = decode(&bytes, indices(corners.len(), 4, Mode::Triangles)).unwrap();
-        assert_eq!(turned(&long), turned(&corners));
+        assert_eq!(canonical(&long), canonical(&corners));
         let short = decode(&bytes, indices(corners.len(), 2, Mode::Triangles)).unwrap();
         assert!(cast_slice::<_, u16>(&short).iter().copied().map(u32::from).eq(long));
 
@@ -239,7 +239,7 @@ mod tests {
     #[test]
     fn colours_are_decoded() {
         let colors = [[1.0, 0.0, 0.0, 1.0], [0.0, 1.0, 0.0, 0.5], [0.0, 0.0, 1.0, 0.25], [0.4, 0.4, 0.4, 0.75]];
-        // Tolerance: half a step of the bits kept, and as much for the sum of luma and chroma.
+        // Tolerance: half a quantisation step, and as much for the sum of luma and chroma.
         let near = |values: &[f32], bits: i32| {
             colors.as_flattened().iter().zip(values).all(|(a, b)| (a - b).abs() < 2.0 / (1 << (bits - 1)) as f32)
         };
@@ -309,7 +309,7 @@ mod tests {
     }
 
     #[test]
-    fn counts_that_the_bytes_cannot_hold_are_errors_before_memory_is_taken() {
+    fn counts_that_the_bytes_cannot_encode_are_errors_before_memory_is_allocated() {
         for (bytes, layout) in streams() {
             for count in [3 << 30, usize::MAX / layout.stride / 3 * 3, usize::MAX / 3 * 3] {
                 let error = decode(&bytes, Layout { count, ..layout }).unwrap_err();
@@ -318,13 +318,13 @@ mod tests {
         }
     }
 
-    /// The densest stream: zeros cost one byte for four columns of a block, and no stream is refused for its count.
+    /// Decodes the densest stream: a block of zeros has one byte for four columns. `min_bytes` must not refuse it.
     #[test]
     fn zeros_in_many_rows_are_decoded() {
         let rows = vec![[0u32; 2]; 100_000];
         let bytes = encode_vertex_buffer_level(&rows, 3, Some(1)).unwrap();
         let layout = attributes(rows.len(), 8, Filter::None);
-        assert!(bytes.len() < layout.least_bytes() + 16, "{} bytes", bytes.len());
+        assert!(bytes.len() < layout.min_bytes() + 16, "{} bytes", bytes.len());
         assert_eq!(decode(&bytes, layout).unwrap(), vec![0; 200_000]);
     }
 }

@@ -10,8 +10,8 @@ use crate::base::mapped::write_mapped;
 use crate::base::memory::try_vec;
 use crate::base::{Progress, Result};
 
-/// Returns the matrix that transforms normals, up to length: the placement's cofactors, which exist for singular
-/// matrices too.
+/// Returns the matrix that transforms normals, up to their length: the placement's cofactor matrix, which exists even
+/// for singular placements.
 pub(super) fn normal_matrix(to_scene: &DAffine3) -> DMat3 {
     let m = to_scene.matrix3;
     let cofactors = DMat3::from_cols(m.y_axis.cross(m.z_axis), m.z_axis.cross(m.x_axis), m.x_axis.cross(m.y_axis));
@@ -39,8 +39,7 @@ pub(super) fn place_normals(
 }
 
 impl Instance {
-    /// Returns the unit normals of a face's placed corners, zero for a vertex without one; `None` if the mesh has no
-    /// normals.
+    /// Returns the unit normals of a face's placed corners, or zero if missing; `None` if the mesh has no normals.
     #[inline]
     pub fn corner_normals(&self, face: u32) -> Option<[Vec3; 3]> {
         let normals = self.mesh.corner_values(face, &self.mesh.normals)?;
@@ -85,7 +84,7 @@ mod tests {
     use crate::base::{Buffer, FaceMap};
     use crate::scene::{Mesh, PlacedMesh, merge};
 
-    /// A triangle whose normals differ from its plane's; the third vertex has none.
+    /// A triangle whose vertex normals differ from the plane's normal; the third vertex has none.
     fn leaning() -> Arc<Mesh> {
         let positions: Buffer<[f32; 3]> = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].into();
         let normals = vec![[0.6, 0.0, 0.8], [0.0, -0.6, 0.8], [0.0; 3]];
@@ -135,7 +134,7 @@ mod tests {
     }
 
     #[test]
-    fn flattened_meshes_face_the_way_they_were_flattened() {
+    fn normals_of_flattened_meshes_are_perpendicular_to_the_plane() {
         let flat = DAffine3::from_scale(DVec3::new(1.0, 0.0, 1.0));
         let merged = merge(&[PlacedMesh { mesh: leaning(), to_scene: flat, object: None }], &Progress::new()).unwrap();
         assert_eq!(merged.normals.as_deref().unwrap(), [[0.0; 3], [0.0, -1.0, 0.0], [0.0; 3]]);

@@ -1,4 +1,4 @@
-//! Data of PLY files: numbers of text, and rows whose lists differ in length.
+//! Data of PLY files: numbers in text, and binary rows with lists of different lengths.
 //!
 //! G. Turk: The PLY Polygon File Format.
 
@@ -79,7 +79,7 @@ pub fn read_rows(
         Ok(column)
     };
     let mut columns: Vec<Column> = properties.iter().map(new_column).collect::<Result<_>>()?;
-    let mut at = start;
+    let mut position = start;
     for row in 0..count {
         if row % ROWS_PER_CHECK == 0 {
             progress.check()?;
@@ -87,22 +87,23 @@ pub fn read_rows(
         for (property, column) in properties.iter().zip(&mut columns) {
             let mut values = 1;
             if let Some(number) = property.length {
-                let bytes = data.bytes.get(at..).and_then(|rest| rest.get(..number.size())).ok_or_else(cut_off)?;
+                let bytes =
+                    data.bytes.get(position..).and_then(|rest| rest.get(..number.size())).ok_or_else(cut_off)?;
                 let length = number.read(bytes, data.is_big_endian);
                 if !(0.0..=data.bytes.len() as f64).contains(&length) {
                     return Err(Error::Scene(format!("it has a list of {length} numbers")));
                 }
-                at += number.size();
+                position += number.size();
                 values = length as usize;
                 let end = column.offsets.last().copied().unwrap_or_default() + values as i64;
                 try_push(&mut column.offsets, end)?;
             }
-            let end = at.saturating_add(values.saturating_mul(property.size));
-            try_append(&mut column.bytes, data.bytes.get(at..end).ok_or_else(cut_off)?)?;
-            at = end;
+            let end = position.saturating_add(values.saturating_mul(property.size));
+            try_append(&mut column.bytes, data.bytes.get(position..end).ok_or_else(cut_off)?)?;
+            position = end;
         }
     }
-    Ok((columns, at))
+    Ok((columns, position))
 }
 
 impl Number {
@@ -135,7 +136,7 @@ impl Number {
     }
 }
 
-/// Parses numbers separated by white space; an error quotes the first word that is none.
+/// Parses numbers separated by white space; an error quotes the first word that is not a number.
 pub fn parse_numbers(text: &[u8], progress: &Progress) -> Result<Vec<f64>> {
     let mut parts = Vec::new();
     let mut rest = text;
@@ -154,7 +155,7 @@ pub fn parse_numbers(text: &[u8], progress: &Progress) -> Result<Vec<f64>> {
         }
         Ok(numbers)
     };
-    // Collected part by part, so that the error is that of the first wrong word.
+    // Collected in order, so that the error is that of the first wrong word.
     let parsed: Vec<Result<Vec<f64>>> = parts.par_iter().map(parse).collect();
     let parsed: Vec<Vec<f64>> = parsed.into_iter().collect::<Result<_>>()?;
     try_concat(&parsed)
@@ -196,7 +197,7 @@ mod tests {
     }
 
     #[test]
-    fn lengths_of_every_type_are_read_and_wild_ones_refused() {
+    fn lengths_of_every_type_are_read_and_impossible_ones_refused() {
         let read = |number: Number, bytes: &[u8]| number.read(bytes, false);
         assert_eq!((read(Number::I8, &[0xfe]), read(Number::U8, &[0xfe])), (-2.0, 254.0));
         assert_eq!((read(Number::I16, &[0xfe, 0xff]), read(Number::U16, &[0xfe, 0xff])), (-2.0, 65534.0));

@@ -1,7 +1,7 @@
 //! Query for the whole triangles that touch a box, through the trees.
 //!
-//! Tree boxes are compared exactly: float32 numbers lie between float64 sides if and only if they lie between the
-//! sides rounded inwards. Subtrees entirely inside are taken without testing their triangles.
+//! Comparisons with the trees' boxes are exact: float32 numbers lie between float64 sides if and only if they lie
+//! between the sides rounded inwards. Subtrees entirely inside are taken without tests of their triangles.
 
 use std::sync::Arc;
 
@@ -28,30 +28,30 @@ const SLACK: f64 = 32.0 * f64::EPSILON;
 pub struct Region {
     min: DVec3,
     max: DVec3,
-    /// Largest float32 box inside.
+    /// Largest float32 box inside this box.
     inner: Aabb,
 }
 
-/// A part of a scene.
+/// Result of a query.
 pub struct Queried {
     /// Whole triangles that touch the box.
     pub scene: Scene,
-    /// Indices of its moving instances in the whole scene; `None` if all remain.
+    /// Indices of its moving instances in the queried scene; `None` if it has all of them.
     pub moving: Option<Vec<u32>>,
 }
 
 impl Region {
     /// Creates a box between two corners.
     pub fn new(min: DVec3, max: DVec3) -> Result<Self> {
-        ensure!(min.cmple(max).all(), "aabb", "a least corner that is not above the greatest", format!("{min}, {max}"));
+        ensure!(min.cmple(max).all(), "aabb", "a minimum that is not above the maximum", format!("{min}, {max}"));
         Ok(Self { min, max, inner: Aabb::from_f64_inside(min, max) })
     }
 
-    /// Returns whether a triangle touches the box. Every triangle that touches is found; one that is farther away than
-    /// `SLACK` times its largest coordinate is not.
+    /// Returns whether a triangle touches the box. A triangle that does not, but is at most `SLACK` times its largest
+    /// coordinate away, may be reported, too.
     ///
     /// Tests the thirteen potential separating axes of a triangle and a box: Akenine-Möller, Fast 3D triangle–box
-    /// overlap testing, 2001. The box is first clipped to that of the triangle, which makes its sides finite.
+    /// overlap testing, 2001. The box is first clipped to the triangle's bounds, which makes its sides finite.
     pub fn touches(&self, corners: [Vec3; 3]) -> bool {
         let bounds = Aabb::of_points(corners);
         if !self.inner.touches(&bounds) {
@@ -68,7 +68,7 @@ impl Region {
         let [a, b, c] = corners.map(|corner| corner - center);
         let edges = [corners[1] - corners[0], corners[2] - corners[1], corners[0] - corners[2]];
         let normal = edges[0].cross(edges[1]);
-        // The cross product of nearly parallel edges cancels, but its error does not.
+        // The cross product of nearly parallel edges is small, but its error is not.
         let error = slack * edges[0].abs().max_element() * edges[1].abs().max_element();
         if normal.dot(a).abs() > normal.abs().dot(half) + error {
             return false;
@@ -84,16 +84,16 @@ impl Region {
         !edges.into_iter().flat_map(crossed).any(separates)
     }
 
-    /// Returns bit masks of a node's children whose boxes touch, and of those whose boxes lie inside.
+    /// Returns two bit masks of a node's children: boxes that touch this box, and boxes that lie inside it.
     #[inline]
     fn classify(&self, node: &Node) -> (u32, u32) {
         let (mut touching, mut inside) = ([true; WIDTH], [true; WIDTH]);
         for axis in 0..3 {
             let (low, high) = (self.inner.min[axis], self.inner.max[axis]);
-            let (least, greatest) = (&node.planes[2 * axis], &node.planes[2 * axis + 1]);
+            let (min, max) = (&node.planes[2 * axis], &node.planes[2 * axis + 1]);
             for slot in 0..WIDTH {
-                touching[slot] &= (least[slot] <= high) & (greatest[slot] >= low);
-                inside[slot] &= (least[slot] >= low) & (greatest[slot] <= high);
+                touching[slot] &= (min[slot] <= high) & (max[slot] >= low);
+                inside[slot] &= (min[slot] >= low) & (max[slot] <= high);
             }
         }
         let bits = |flags: [bool; WIDTH]| (0..WIDTH).fold(0, |all, slot| all | u32::from(flags[slot]) << slot);
@@ -102,9 +102,9 @@ impl Region {
 }
 
 impl Scene {
-    /// Returns the whole triangles that touch a box of the world. Meshes keep only the vertices that they use.
-    /// Instances entirely inside share their meshes with this scene; partial ones get new meshes. With `builds`, trees
-    /// are built first; otherwise each triangle is tested, which is faster for a single query.
+    /// Returns the whole triangles that touch a box of the world. Instances entirely inside share their meshes with
+    /// this scene; others get new meshes without unused vertices. With `builds`, trees are built first; otherwise each
+    /// triangle is tested, which is faster for a single query.
     pub fn query(&self, min: DVec3, max: DVec3, builds: bool, progress: &Progress) -> Result<Queried> {
         let region = Region::new(min - self.origin, max - self.origin)?;
         let (standing, _) = self.standing.query(&region, builds, progress)?;
@@ -114,7 +114,7 @@ impl Scene {
 }
 
 impl InstanceSet {
-    /// Returns the part that touches a box, and the indices of its instances; `None` for both if all remain.
+    /// Returns the part that touches a box, and the indices of its instances; `None` for both if it is the whole set.
     fn query(&self, region: &Region, builds: bool, progress: &Progress) -> Result<(Option<Self>, Option<Vec<u32>>)> {
         let bounds = match self.tlas() {
             Some(tlas) => tlas.bounds,
@@ -129,23 +129,23 @@ impl InstanceSet {
         if builds {
             self.build(progress)?;
         }
-        let mut near = self.near(region);
-        sort_by_key(&mut near, |&(number, _)| number, progress)?;
+        let mut touching = self.touching_instances(region);
+        sort_by_key(&mut touching, |&(number, _)| number, progress)?;
         let part = |&(number, is_inside): &(u32, bool)| {
             let instance = &self.instances()[number as usize];
             let part = if is_inside { Some(instance.clone()) } else { instance.query(region, progress)? };
             Ok(part.map(|part| (part, number)))
         };
-        let parts: Vec<Option<(Instance, u32)>> = match &near[..] {
+        let parts: Vec<Option<(Instance, u32)>> = match &touching[..] {
             [only] => vec![part(only)?],
-            _ => near.par_iter().map(part).collect::<Result<_>>()?,
+            _ => touching.par_iter().map(part).collect::<Result<_>>()?,
         };
         let (instances, indices) = parts.into_iter().flatten().unzip();
         Ok((Some(Self::new(instances)), Some(indices)))
     }
 
-    /// Returns the instances whose boxes touch, and whether they lie inside.
-    fn near(&self, region: &Region) -> Vec<(u32, bool)> {
+    /// Returns the instances whose boxes touch a box, and whether they lie inside it.
+    fn touching_instances(&self, region: &Region) -> Vec<(u32, bool)> {
         let Some(tlas) = self.tlas() else {
             let boxes = (0..).zip(self.instances()).map(|(number, instance)| (number, instance.bounds));
             let touching = boxes.filter(|(_, bounds)| region.inner.touches(bounds));
@@ -167,8 +167,8 @@ impl InstanceSet {
     }
 }
 
-/// Returns a node's children that touch, each with whether it lies inside. `classify` returns the bit masks of both,
-/// as `Region::classify` does; it is not called for a node that lies inside.
+/// Returns a node's children that touch a box, and whether each lies inside it. `classify` returns bit masks like
+/// `Region::classify`; it is not called if the node itself lies inside.
 #[inline]
 fn touching_children(
     node: &Node,
@@ -181,7 +181,7 @@ fn touching_children(
 }
 
 impl Instance {
-    /// Returns the part that touches a box; `None` if nothing does.
+    /// Returns the part that touches a box; `None` if no face does.
     fn query(&self, region: &Region, progress: &Progress) -> Result<Option<Self>> {
         let faces = match self.mesh.bvh() {
             Some(bvh) => self.faces_in(bvh, region, progress)?,
@@ -252,7 +252,7 @@ impl Search<'_> {
         Ok(runs)
     }
 
-    /// Opens a node, given whether it lies inside; appends its child nodes and the faces of its leaves.
+    /// Appends the children of a node and the faces of its leaves; the flag says whether the node lies inside the box.
     fn open(&self, (number, is_inside): (u32, bool), nodes: &mut Vec<(u32, bool)>, runs: &mut Vec<Run>) {
         let Some(node) = self.bvh.wide.nodes.get(number as usize) else { return };
         for (child, is_inside) in touching_children(node, is_inside, |node| self.classify(node)) {
@@ -279,7 +279,7 @@ impl Search<'_> {
         let (mut touching, mut inside) = (0, 0);
         for slot in 0..WIDTH {
             let placed = node.bounds(slot).transformed(&self.instance.to_scene);
-            // Corners and boxes are placed by different orders of operations, so their rounding may differ.
+            // Placed corners and placed boxes are computed in different orders, so they may be rounded differently.
             let slack = Vec3::splat(placed.reach() * 4.0 * f32::EPSILON);
             let placed = Aabb { min: placed.min - slack, max: placed.max + slack };
             touching |= u32::from(self.region.inner.touches(&placed)) << slot;
@@ -337,7 +337,7 @@ mod tests {
                 region((point - DVec3::from(below)).into(), (point + DVec3::from(above)).into())
             };
             prop_assert!(around(below, above).touches(corners));
-            // A point beside the triangle, along its normal, by more than the triangle's extent in that direction.
+            // A point beside the triangle along its normal.
             let normal = (b - a).cross(c - a);
             if normal.length() > 1e-3 {
                 let off = point + normal.normalize() * 1e-6;
@@ -383,7 +383,7 @@ mod tests {
     }
 
     #[test]
-    fn no_tree_is_built_unless_that_is_wanted() {
+    fn trees_are_built_only_on_request() {
         let scene = scene();
         let corner = |x: f64, y: f64| DVec3::new(x + ORIGIN.x, y, y);
         let (min, max) = (corner(-1.0, f64::NEG_INFINITY), corner(1.0, f64::INFINITY));
@@ -394,7 +394,7 @@ mod tests {
     }
 
     #[test]
-    fn copies_are_found_though_no_tree_holds_them() {
+    fn duplicate_faces_are_found_although_trees_omit_them() {
         let scene = scene();
         let found = part(&scene, -1.0, 1.0).scene;
         let mesh = &found.instance(0).mesh;

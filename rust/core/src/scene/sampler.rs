@@ -1,6 +1,6 @@
-//! Samplers: how an image continues beyond its sides, and which of its texels are blended at a point.
+//! Samplers: continuation of images beyond their sides, and the texels that are blended at a point.
 //!
-//! Khronos: glTF 2.0, section 5.26, whose codes are OpenGL's; wrapping as in OpenGL ES 3.0, section 3.8.10.
+//! Khronos: glTF 2.0, section 5.26, with OpenGL's codes; wrapping as in OpenGL ES 3.0, section 3.8.10.
 
 /// Continuation of an image beyond its sides.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -10,7 +10,7 @@ pub enum Wrap {
     Repeat,
     /// The image is repeated, and every second copy is mirrored.
     Mirror,
-    /// The texels at the side are continued.
+    /// The texels at the sides are repeated.
     Clamp,
 }
 
@@ -19,11 +19,11 @@ pub enum Wrap {
 pub struct Sampler {
     /// Continuation along u and v.
     pub wrap: [Wrap; 2],
-    /// Whether magnified texels are squares of one colour; otherwise neighbours are blended.
+    /// Whether magnified texels are squares of one colour. If not, neighbours are blended.
     pub nearest: bool,
 }
 
-/// glTF's codes of the filters of magnified texels.
+/// glTF's codes of magnification filters.
 const NEAREST: u32 = 9728;
 const LINEAR: u32 = 9729;
 
@@ -61,7 +61,7 @@ impl Sampler {
         [wrap_s, wrap_t, if self.nearest { NEAREST } else { LINEAR }]
     }
 
-    /// Returns the texels that are blended at (u, v), v upwards, in a level of this size; with `nearest` a single one.
+    /// Returns the texels that are blended at (u, v), v upwards, in a level of this size; with `nearest` all are equal.
     #[inline]
     pub(super) fn taps(self, [u, v]: [f32; 2], width: u32, height: u32, nearest: bool) -> TextureTaps {
         let [across, down] = self.wrap;
@@ -91,8 +91,8 @@ impl TextureTaps {
     }
 }
 
-/// Returns the two texels whose centres enclose a coordinate, given `count` texels per period of 1, and the weight of
-/// the second; with `nearest`, twice the texel that contains the coordinate.
+/// Returns the two texels whose centres enclose a coordinate, and the weight of the second. A period of 1 has `count`
+/// texels. With `nearest`, both are the texel that contains the coordinate.
 #[inline]
 fn neighbours(coordinate: f32, count: u32, wrap: Wrap, nearest: bool) -> (u32, u32, f32) {
     let (place, last) = (wrap.place(coordinate) * count as f32, count - 1);
@@ -102,12 +102,12 @@ fn neighbours(coordinate: f32, count: u32, wrap: Wrap, nearest: bool) -> (u32, u
     }
     let x = place - 0.5;
     let floor = x.floor();
-    // The image repeats across its sides; a mirrored or continued image has the texel at the side twice.
+    // Beyond a side, a repeated image has the texel at the opposite side; other images repeat the texel at the side.
     let (before, after) = if wrap == Wrap::Repeat { (last, 0) } else { (0, last) };
     if floor < 0.0 {
         return (before, 0, x - floor);
     }
-    // A place that rounds up to `count` gives the last texel as well.
+    // The place may round up to `count`.
     let first = (floor as u32).min(last);
     (first, if first == last { after } else { first + 1 }, x - floor)
 }
@@ -141,8 +141,8 @@ mod tests {
                 let [one, two] = [0, 1].map(|next| value(wrapped(low as i64 + next, i64::from(count), wrap)));
                 let (first, second, weight) = neighbours(coordinate, count, wrap, false);
                 let blend = value(first) * f64::from(1.0 - weight) + value(second) * f64::from(weight);
-                // Rounding of coordinates up to 4 to float32 shifts the place by 4 · 2⁻²⁴ · 8 texels; times 60, the
-                // greatest difference of values.
+                // Rounding coordinates up to 4 to float32 moves the place by up to 4 · 2⁻²⁴ · 8 texels. Neighbours
+                // differ by up to 60.
                 assert!((blend - (one + (two - one) * between)).abs() < 2e-4, "{wrap:?} {count} {coordinate}");
                 let texel = wrapped(place.floor() as i64, i64::from(count), wrap);
                 // Where a coordinate lies on the border of two texels, rounding may choose either.

@@ -29,18 +29,18 @@ pub fn srgb_from_linear(linear: f32) -> u8 {
         return 255;
     }
     let mut code = CODES.first[((linear.to_bits() - DARK) >> LOWER_BITS) as usize];
-    while linear >= CODES.least[usize::from(code) + 1] {
+    while linear >= CODES.min[usize::from(code) + 1] {
         code += 1;
     }
     code
 }
 
-/// Returns the codes of the 65,536 fractions of 65,535. Loops should fetch them once.
+/// Returns the table of codes of the 65,536 fractions n/65,535. Loops should fetch it once.
 pub fn srgb_from_u16() -> &'static [u8] {
-    static OF_SHORTS: LazyLock<Vec<u8>> = LazyLock::new(|| {
+    static CODES_OF_U16: LazyLock<Vec<u8>> = LazyLock::new(|| {
         (0..=u16::MAX).map(|short| srgb_from_linear((f64::from(short) / f64::from(u16::MAX)) as f32)).collect()
     });
-    &OF_SHORTS
+    &CODES_OF_U16
 }
 
 /// Writes `srgb_from_linear` of many values.
@@ -48,8 +48,8 @@ pub fn srgb_from_all_linear(linear: &[f32], codes: &mut [u8], progress: &Progres
     write_mapped(linear, codes, |&linear| srgb_from_linear(linear), progress)
 }
 
-/// Computes the code by the standard's formula. Its power function takes several times as long as the table.
-fn encoded(linear: f32) -> u8 {
+/// Computes a code by the standard's formula, whose power function takes several times as long as the table.
+fn encode(linear: f32) -> u8 {
     let x = linear.clamp(0.0, 1.0);
     let s = if x <= 0.003_130_8 { 12.92 * x } else { 1.055 * x.powf(1.0 / 2.4) - 0.055 };
     (s * 255.0 + 0.5) as u8
@@ -60,7 +60,7 @@ struct Codes {
     /// Code of the smallest float of each interval.
     first: [u8; INTERVALS],
     /// Smallest value of each code; infinity after the last.
-    least: [f32; 257],
+    min: [f32; 257],
 }
 
 /// Number of low bits of a float ignored by the interval number: each power of two has 128 intervals.
@@ -71,19 +71,19 @@ const WHITE: u32 = 127 << 23;
 const INTERVALS: usize = ((WHITE - DARK) >> LOWER_BITS) as usize;
 
 static CODES: LazyLock<Codes> = LazyLock::new(|| {
-    let first = std::array::from_fn(|i| encoded(f32::from_bits(DARK + ((i as u32) << LOWER_BITS))));
-    let mut least = [f32::INFINITY; 257];
-    for (code, least) in least.iter_mut().enumerate().take(256) {
+    let first = std::array::from_fn(|i| encode(f32::from_bits(DARK + ((i as u32) << LOWER_BITS))));
+    let mut min = [f32::INFINITY; 257];
+    for (code, min) in min.iter_mut().enumerate().take(256) {
         // Non-negative floats are ordered like their bits.
         let (mut low, mut high) = (0, WHITE);
         while low < high {
             let middle = low.midpoint(high);
-            let has_code = usize::from(encoded(f32::from_bits(middle))) >= code;
+            let has_code = usize::from(encode(f32::from_bits(middle))) >= code;
             (low, high) = if has_code { (low, middle) } else { (middle + 1, high) };
         }
-        *least = f32::from_bits(high);
+        *min = f32::from_bits(high);
     }
-    Codes { first, least }
+    Codes { first, min }
 });
 
 #[cfg(test)]
@@ -100,11 +100,11 @@ mod tests {
 
     #[test]
     fn codes_are_those_of_the_formula() {
-        let around = |&least: &f32| [least.next_down(), least, least.next_up()];
-        let ends = CODES.least[1..256].iter().flat_map(around);
+        let around = |&min: &f32| [min.next_down(), min, min.next_up()];
+        let ends = CODES.min[1..256].iter().flat_map(around);
         let spread = (0..WHITE + 1000).step_by(997).map(f32::from_bits);
         for linear in ends.chain(spread) {
-            assert_eq!(srgb_from_linear(linear), encoded(linear), "{linear:e}");
+            assert_eq!(srgb_from_linear(linear), encode(linear), "{linear:e}");
         }
     }
 

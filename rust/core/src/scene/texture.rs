@@ -1,8 +1,8 @@
 //! Base colour images, filtered in linear light.
 //!
-//! Williams: Pyramidal parametrics, 1983 (trilinear filtering). Level 0 is the original image in sRGB; coarser levels
-//! are means of linear light, computed on first use. Cut-out materials have separate coarser levels, weighted by
-//! alpha, so that the colour in the holes, often black, does not darken leaves at a distance.
+//! Williams: Pyramidal parametrics, 1983 (trilinear filtering). Level 0 is the original image in sRGB. Coarser levels
+//! are means of linear light, computed on first use. Cut-out materials have coarser levels of their own, weighted by
+//! alpha: otherwise the colour in the holes, often black, would darken distant leaves.
 
 use std::sync::OnceLock;
 
@@ -22,23 +22,22 @@ pub struct Texture {
     pub texels: Buffer<[u8; 4]>,
     /// Continuation beyond the sides, and filter of magnified texels.
     pub sampler: Sampler,
-    /// Levels 1 and coarser, and the same levels, weighted by alpha.
+    /// Levels 1 and coarser, without and with weights by alpha.
     mips: [OnceLock<Vec<MipLevel>>; 2],
 }
 
-/// Bytes per texel of the image while it is halved: the image in float32 and at most three more, each at most half as
-/// large.
+/// Bytes per texel while an image is halved: the image in float32, and at most three more of at most half the size.
 const HALVING_BYTES: u64 = 16 + 3 * 8;
-/// The same for an image of one column, which is copied twice before it is halved.
+/// Same for an image of one column, which is copied twice before it is halved.
 const COLUMN_HALVING_BYTES: u64 = 3 * 16 + 8;
-/// Bytes per texel of a side while it is halved. Two texels become one, whose list of weights has 32 bytes and an
-/// allocation of at most 32.
+/// Bytes per texel of a side while it is halved: a list of weights for every second texel, 32 bytes and an allocation
+/// of at most 32.
 const WEIGHT_BYTES: u64 = 32;
 
-/// Weight of a transparent texel: enough to colour a coarser texel that lies entirely in a hole.
+/// Weight of a transparent texel, which gives a coarser texel entirely in a hole a colour.
 const MIN_WEIGHT: f32 = 1.0 / 1024.0;
 
-/// A coarser level: linear RGB in steps of 1/65535, a twentieth of sRGB's finest step.
+/// A coarser level: linear RGB in steps of 1/65535, which is a twentieth of sRGB's smallest step.
 #[derive(Debug)]
 pub struct MipLevel {
     /// Width, texels.
@@ -81,11 +80,11 @@ impl Texture {
         size_of_val(&self.texels[..]) + levels.map(|level| size_of_val(&level.texels[..])).sum::<usize>()
     }
 
-    /// Returns the linear RGB at (u, v), v upwards: bilinear within a level, linear between levels. Levels up to 0 are
-    /// the image itself, of which a nearest sampler shows one texel. Each further level halves both sides, and beyond the last level the colour is the image's
-    /// mean. `cutout` weights the means by alpha.
+    /// Returns the linear RGB at (u, v), v upwards: bilinear within a level, linear between levels. Level 0 and less is
+    /// the image itself, without interpolation if the sampler is `nearest`. Each further level halves both sides;
+    /// beyond the last level the colour is the image's mean. `cutout` weights the means by alpha.
     pub fn color(&self, uv: [f32; 2], level: f32, cutout: bool) -> [f32; 3] {
-        // NaN counts as level 0, because `max` returns the other operand.
+        // NaN becomes level 0, because `max` returns the other operand.
         let level = level.max(0.0);
         if level == 0.0 {
             return self.finest(uv, self.sampler.nearest);
@@ -106,8 +105,7 @@ impl Texture {
         self.mips[usize::from(cutout)].get_or_init(|| self.build(cutout))
     }
 
-    /// Builds the coarser levels that do not exist yet; fails if there is no room. A scene with cut-out materials may use
-    /// both kinds of levels.
+    /// Builds missing coarser levels, with `has_cutouts` those of both kinds. Fails if memory does not suffice.
     pub(super) fn build_coarser(&self, has_cutouts: bool, progress: &Progress) -> Result<()> {
         for cutout in [false, true].into_iter().take(1 + usize::from(has_cutouts)) {
             if self.mips[usize::from(cutout)].get().is_none() {
@@ -132,14 +130,13 @@ impl Texture {
         sum
     }
 
-    /// Returns the bytes that halving the image needs meanwhile.
+    /// Returns the bytes of temporary memory for halving the image.
     fn halving_bytes(&self) -> u64 {
         let bytes = if self.width == 1 { COLUMN_HALVING_BYTES } else { HALVING_BYTES };
         bytes * self.texels.len() as u64 + WEIGHT_BYTES * u64::from(self.width.max(self.height))
     }
 
-    /// Returns alpha at (u, v), 0 to 1, in level 0 with the sampler's filter; cut-out materials compare it with their
-    /// cutoff.
+    /// Returns alpha at (u, v), 0 to 1, in level 0 with the sampler's filter.
     pub fn alpha(&self, uv: [f32; 2]) -> f32 {
         let taps = self.sampler.taps(uv, self.width, self.height, self.sampler.nearest);
         taps.blend(|column, row| [f32::from(self.texel(column, row)[3])])[0] / 255.0
@@ -159,12 +156,12 @@ impl Texture {
         self.texels[row as usize * self.width as usize + column as usize]
     }
 
-    /// Returns the image with both sides halved `times` times in linear light, but at least one texel. `cutout`
-    /// weights colours by alpha and keeps mean alpha; otherwise alpha, which is not drawn, becomes full.
+    /// Returns the image with both sides halved `times` times in linear light, to at least one texel. `cutout` weights
+    /// colours by alpha and averages alpha. Otherwise alpha, which is not drawn, becomes 255.
     pub fn halved(&self, times: u32, cutout: bool, progress: &Progress) -> Result<Self> {
         room_for(self.halving_bytes())?;
         let (mut image, mut width, mut height) = (self.weighted(cutout), self.width, self.height);
-        // More halvings than a side has bits change nothing.
+        // A side has one texel after as many halvings as it has bits.
         for _ in 0..times.min(u32::BITS) {
             progress.check()?;
             (image, width, height) = halved(&image, width, height);
@@ -177,7 +174,7 @@ impl Texture {
         Ok(Self::new(width, height, image.iter().map(stored).collect())?.with_sampler(self.sampler))
     }
 
-    /// Builds all levels down to one texel, on the calling thread: a rayon thread that waited here could run a task
+    /// Builds all levels down to one texel on the calling thread alone: if it waited inside rayon, it could run a task
     /// that waits for this texture.
     fn build(&self, cutout: bool) -> Vec<MipLevel> {
         let (mut image, mut width, mut height) = (self.weighted(cutout), self.width, self.height);
@@ -219,8 +216,8 @@ fn halved(image: &[[f32; 4]], width: u32, height: u32) -> (Vec<[f32; 4]>, u32, u
     (transpose(&low, half_height), half_width, half_height)
 }
 
-/// Resamples rows from `from` to `to` texels. Each new texel is the mean over the part of the old texels that it
-/// covers, so the image's mean does not change for any size.
+/// Resamples rows from `from` to `to` texels. A new texel is the mean over the old texels that it covers, so the
+/// image's mean does not change.
 fn shrink(image: &[[f32; 4]], from: u32, to: u32) -> Vec<[f32; 4]> {
     if from == to {
         return image.to_vec();
@@ -249,11 +246,7 @@ fn shrink(image: &[[f32; 4]], from: u32, to: u32) -> Vec<[f32; 4]> {
 
 fn transpose(image: &[[f32; 4]], width: u32) -> Vec<[f32; 4]> {
     let (width, height) = (width as usize, image.len() / width as usize);
-    let mut turned = Vec::with_capacity(image.len());
-    for column in 0..width {
-        turned.extend((0..height).map(|row| image[row * width + column]));
-    }
-    turned
+    (0..width).flat_map(|column| (0..height).map(move |row| image[row * width + column])).collect()
 }
 
 #[cfg(test)]
@@ -326,7 +319,7 @@ mod tests {
                 let uv = [(column as f32 + 0.5) / 3.0 - 2.0, 1.0 - (row as f32 + 0.5) / 2.0 + 7.0];
                 let texel = texture.texel(column, row);
                 for c in 0..3 {
-                    // The weights of the neighbours come from rounding of u at 7 periods: 7 · 2⁻²³ · 3 texels.
+                    // Rounding of u at 7 periods gives neighbours a weight of up to 7 · 2⁻²³ · 3 texels.
                     assert!((texture.color(uv, -1.0, false)[c] - linear[usize::from(texel[c])]).abs() < 3e-6);
                 }
                 assert!((texture.alpha(uv) - f32::from(texel[3]) / 255.0).abs() < 3e-6);
@@ -364,8 +357,8 @@ mod tests {
         let texture = Texture::new(8, 8, texels.into()).unwrap();
         let leaf = linear_from_srgb()[200];
         let [plain, cutout] = [false, true].map(|cutout| texture.color([0.5, 0.5], 3.0, cutout)[1]);
-        // A third of the texels is leaf. The weighted mean is leaf except for two weights of 1/1024 per leaf texel of
-        // weight 1.
+        // A third of the texels is leaf. In the weighted mean, two transparent texels of weight 1/1024 each darken one
+        // leaf texel of weight 1.
         assert!((plain - leaf * 22.0 / 64.0).abs() < 1e-4);
         assert!(cutout > 0.997 * leaf && cutout <= leaf);
     }
@@ -379,7 +372,7 @@ mod tests {
                 assert_eq!((halved.width, halved.height), (level.width, level.height));
                 for (&[r, g, b, _], linear) in halved.texels.iter().zip(&level.texels) {
                     let expected = linear.map(|x| i32::from(srgb_from_linear(f32::from(x) / 65535.0)));
-                    // Levels are rounded first, so a code may differ by one.
+                    // The stored levels are rounded before they are encoded, so a code may differ by one.
                     (0..3).for_each(|i| assert!((i32::from([r, g, b][i]) - expected[i]).abs() <= 1));
                 }
             }

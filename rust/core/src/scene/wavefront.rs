@@ -40,9 +40,9 @@ pub struct Wavefront {
     pub names: Vec<String>,
     /// Faces by object and material, in order of first appearance.
     pub parts: Vec<Part>,
-    /// Numbers of elements that are skipped.
+    /// Numbers of skipped elements.
     pub skipped: Skipped,
-    /// Numbers of polygons that are fans, although their fans do not cover them.
+    /// Numbers of polygons that are fans although these do not cover them.
     pub fans: Fans,
 }
 
@@ -66,14 +66,14 @@ pub struct Part {
     pub object: Option<u32>,
     /// Index of the material's name.
     pub material: Option<u32>,
-    /// Indices of each vertex's position, texture coordinate and normal; `NONE` if it has none.
+    /// Indices of each vertex's position, texture coordinate and normal; `NONE` for a missing one.
     pub vertices: Vec<[u32; 3]>,
     /// Triangles between these vertices.
     pub faces: Vec<[u32; 3]>,
 }
 
-/// Reads a text. Polygons are triangulated; they may be concave. Indices may refer to later rows; indices out of range are errors that
-/// name their line.
+/// Reads a text. Polygons, which may be concave, are triangulated. Indices may refer to later rows; an index out of
+/// range is an error that names its line.
 pub fn read(text: &[u8], progress: &Progress) -> Result<Wavefront> {
     let mut scan = Scan::default();
     let (mut start, mut line) = (0, 1);
@@ -94,7 +94,7 @@ pub fn read(text: &[u8], progress: &Progress) -> Result<Wavefront> {
 struct Scan {
     content: Wavefront,
     /// Largest index of each kind, and its line.
-    greatest: [(u64, u64); 3],
+    max_index: [(u64, u64); 3],
     /// Whether a vertex had no colour.
     lacks_color: bool,
     names: HashMap<Vec<u8>, u32>,
@@ -112,7 +112,7 @@ struct Scan {
 struct PartFaces {
     /// Three corners for each triangle; polygons are fans.
     corners: Vec<[u32; 3]>,
-    /// Polygons of more than three corners: their first corner above, and their number of corners.
+    /// Polygons of more than three corners: index of the first corner in `corners`, and number of corners.
     polygons: Vec<(usize, usize)>,
 }
 
@@ -217,8 +217,8 @@ impl Scan {
                 continue;
             }
             let index = self.absolute(index, kind, line)?;
-            if index > self.greatest[kind].0 {
-                self.greatest[kind] = (index, line);
+            if index > self.max_index[kind].0 {
+                self.max_index[kind] = (index, line);
             }
             // An index that does not fit counts as out of range; `finish` reports it.
             corner[kind] = u32::try_from(index - 1).unwrap_or(NONE);
@@ -226,7 +226,7 @@ impl Scan {
         Ok(corner)
     }
 
-    /// Converts an index to an absolute one, counted from 1; negative ones count back from the last row so far.
+    /// Parses an index and returns it counted from 1; negative indices count back from the last row so far.
     fn absolute(&self, index: &[u8], kind: usize, line: u64) -> Result<u64> {
         let (digits, is_negative) = match index {
             [b'-', digits @ ..] => (digits, true),
@@ -253,7 +253,7 @@ impl Scan {
     }
 
     fn finish(self, progress: &Progress) -> Result<Wavefront> {
-        for ((kind, count), (index, line)) in KINDS.iter().zip(self.counts()).zip(self.greatest) {
+        for ((kind, count), (index, line)) in KINDS.iter().zip(self.counts()).zip(self.max_index) {
             if index > count {
                 return Err(out_of_range(line, kind, &index.to_string(), count));
             }
@@ -270,8 +270,7 @@ impl Scan {
         for (key, number) in self.numbers {
             keys[number] = key;
         }
-        // A lone part without texture coordinates and normals keeps all vertices in their order, including unused
-        // ones.
+        // A lone part without texture coordinates and normals keeps all vertices in their order, including unused ones.
         let is_plain = self.faces.len() == 1 && content.uvs.is_empty() && content.normals.is_empty();
         let count = content.positions.len() as u32;
         let positions = &content.positions;
@@ -281,7 +280,7 @@ impl Scan {
                 let faces = mapped(corners.as_chunks::<3>().0, |face| face.map(|corner| corner[0]), progress)?;
                 [try_list((0..count).map(|vertex| [vertex, NONE, NONE]))?, faces]
             } else {
-                unified(&corners, progress)?
+                deduplicate(&corners, progress)?
             };
             Ok((Part { object, material, vertices, faces }, fans))
         });
@@ -296,7 +295,7 @@ impl Scan {
 }
 
 impl PartFaces {
-    /// Returns three corners for each triangle, with other triangles for polygons whose fan is wrong.
+    /// Returns three corners for each triangle; polygons that their fans do not cover are triangulated anew.
     fn triangles(self, positions: &[[f64; 3]], progress: &Progress) -> Result<(Vec<[u32; 3]>, Fans)> {
         let Self { corners, polygons } = self;
         // Each triangle of a fan ends with the next corner.
@@ -329,19 +328,18 @@ impl PartFaces {
     }
 }
 
-/// Deduplicates corners: sorted unique vertices, and triangles between them.
-fn unified(corners: &[[u32; 3]], progress: &Progress) -> Result<[Vec<[u32; 3]>; 2]> {
+/// Deduplicates corners; returns sorted unique vertices, and triangles between them.
+fn deduplicate(corners: &[[u32; 3]], progress: &Progress) -> Result<[Vec<[u32; 3]>; 2]> {
     let mut vertices = try_copy(corners)?;
     sort_by_key(&mut vertices, |&corner| corner, progress)?;
     vertices.dedup();
-    // The search finds each corner.
     let place = |corner: [u32; 3]| vertices.partition_point(|&other| other < corner) as u32;
     let faces = mapped(corners.as_chunks::<3>().0, |face| face.map(place), progress)?;
     Ok([vertices, faces])
 }
 
 fn out_of_range(line: u64, kind: &str, index: &str, count: u64) -> Error {
-    Error::Scene(format!("line {line}: a face names {kind} {index} of {count}"))
+    Error::Scene(format!("line {line}: a face names {kind} {index}, but there are {count}"))
 }
 
 fn shorten(word: &[u8]) -> String {
@@ -352,31 +350,31 @@ fn shorten(word: &[u8]) -> String {
     }
 }
 
-/// Parses up to six numbers of a line; returns their count and the values, padded with zeros.
-fn numbers(arguments: &[u8], least: usize, line: u64, what: &str) -> Result<(usize, [f64; 6])> {
+/// Parses up to six numbers of a line, at least `min_count`; returns their count and the values, padded with zeros.
+fn numbers(arguments: &[u8], min_count: usize, line: u64, kind: &str) -> Result<(usize, [f64; 6])> {
     let (mut values, mut count) = ([0.0; 6], 0);
     let words = arguments.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty());
     for (value, word) in values.iter_mut().zip(words) {
         let parsed = str::from_utf8(word).ok().and_then(|word| word.parse().ok());
         *value = parsed.ok_or_else(|| {
             let word = shorten(word);
-            Error::Scene(format!("line {line}: a {what} has '{word}' where a number belongs"))
+            Error::Scene(format!("line {line}: a {kind} has '{word}' where a number belongs"))
         })?;
         count += 1;
     }
-    if count < least {
-        return Err(Error::Scene(format!("line {line}: a {what} has {count} numbers of {least}")));
+    if count < min_count {
+        return Err(Error::Scene(format!("line {line}: a {kind} has {count} numbers, but needs {min_count}")));
     }
     Ok((count, values))
 }
 
-/// Joins a continued line: replaces its line breaks and the backslashes before them by blanks.
+/// Joins a continued line: replaces its line breaks and the backslashes before them by spaces.
 fn join_continued_line(line: &[u8]) -> Vec<u8> {
     let ends = |index: usize| matches!(line[index..], [b'\\', b'\n', ..] | [b'\\', b'\r', b'\n', ..] | [b'\n', ..]);
     line.iter().enumerate().map(|(index, &byte)| if ends(index) { b' ' } else { byte }).collect()
 }
 
-/// Returns the end of the logical line that begins here, without its line feed, and how many lines of text it spans.
+/// Returns the end of the logical line that begins at `start`, without line feed, and its number of text lines.
 fn logical_end(text: &[u8], start: usize) -> (usize, u64) {
     let (mut line_start, mut lines) = (start, 1);
     loop {
@@ -398,7 +396,7 @@ mod tests {
         read(text.as_bytes(), &Progress::new())
     }
 
-    /// Returns the triangles of all parts as rows of their corners' indices, counted from 1, 0 for none.
+    /// Returns the triangles of all parts as indices of their corners, counted from 1; 0 for none.
     fn corners(faces: &str) -> Vec<[[u32; 3]; 3]> {
         let read = read_text(&format!("{CORNERS}{faces}")).unwrap();
         let corner = |part: &Part, vertex: u32| part.vertices[vertex as usize].map(|row| row.wrapping_add(1));
@@ -475,23 +473,23 @@ mod tests {
     fn out_of_range_indices_are_errors() {
         for (faces, words) in [
             ("f 0 1 2", "line 5: a face names vertex 0, but the first is 1"),
-            ("\nf 1 2 3\nf 1 2 4\n", "line 7: a face names vertex 4 of 3"),
-            ("f -4 1 2", "line 5: a face names vertex -4 of 3"),
-            ("f 1//9 2 3", "line 5: a face names normal 9 of 1"),
-            ("f 1/1 2/1 3/1", "line 5: a face names texture coordinate 1 of 0"),
+            ("\nf 1 2 3\nf 1 2 4\n", "line 7: a face names vertex 4, but there are 3"),
+            ("f -4 1 2", "line 5: a face names vertex -4, but there are 3"),
+            ("f 1//9 2 3", "line 5: a face names normal 9, but there are 1"),
+            ("f 1/1 2/1 3/1", "line 5: a face names texture coordinate 1, but there are 0"),
             ("f 1 \\\n2\\\n3\nf 1 2 x", "line 8: a face has 'x' where an index belongs"),
             ("f 1.0 2 3", "line 5: a face has '1.0' where an index belongs"),
             ("f /1 2 3", "line 5: a face has '' where an index belongs"),
             ("f 1/1/1/1 2 3", "line 5: '1/1/1/1' has more than three indices"),
-            ("f 99999999999999999999999 2 3", "line 5: a face names vertex 18446744073709551615 of 3"),
+            ("f 99999999999999999999999 2 3", "line 5: a face names vertex 18446744073709551615, but there are 3"),
             ("f - 2 3", "line 5: a face has '-' where an index belongs"),
             (
                 &format!("f {} 2 3", "é".repeat(99)),
                 &format!("line 5: a face has '{}…' where an index belongs", "é".repeat(60)),
             ),
-            ("v 1 2", "line 5: a vertex has 2 numbers of 3"),
+            ("v 1 2", "line 5: a vertex has 2 numbers, but needs 3"),
             ("vn 1 2 0x3", "line 5: a normal has '0x3' where a number belongs"),
-            ("vt", "line 5: a texture coordinate has 0 numbers of 1"),
+            ("vt", "line 5: a texture coordinate has 0 numbers, but needs 1"),
         ] {
             assert_eq!(read_text(&format!("{CORNERS}{faces}")), Err(Error::Scene(words.to_owned())), "{faces:?}");
         }

@@ -125,14 +125,14 @@ impl Scene {
         self.sets().into_iter().try_for_each(|set| set.build(progress))
     }
 
-    /// Builds all trees. Under a memory limit it also builds the coarser levels of textures, because shading builds them
-    /// on first use, several at once on its threads, and cannot fail.
+    /// Builds all trees and, under a memory limit, the coarser levels of textures. Shading would build these on first
+    /// use, several at once, and cannot report that memory does not suffice.
     pub fn build_to_shade(&self, progress: &Progress) -> Result<()> {
         self.build(progress)?;
         if progress.watches_memory() { self.build_levels(progress) } else { Ok(()) }
     }
 
-    /// Builds the missing coarser levels of all textures of materials, one after the other. Fails if there is no room.
+    /// Builds missing coarser levels of the materials' textures in sequence. Fails if memory does not suffice.
     pub fn build_levels(&self, progress: &Progress) -> Result<()> {
         let has_cutouts = self.has_cutouts();
         for number in self.materials.iter().flat_map(Material::textures) {
@@ -159,7 +159,7 @@ impl Scene {
         Ok(flat)
     }
 
-    /// Returns the memory of instances, meshes, their trees and textures, bytes; shared ones count once.
+    /// Returns the size of instances, meshes, their trees and textures, bytes; shared ones count once.
     pub fn bytes(&self) -> usize {
         let meshes: usize = distinct_meshes(self.instances()).map(Mesh::bytes).sum();
         let textures: usize = self.textures.iter().map(Texture::bytes).sum();
@@ -175,7 +175,7 @@ impl Scene {
     pub fn bounds(&self) -> Aabb {
         let mut tight = Aabb::EMPTY;
         for instance in self.instances() {
-            // If an instance's loose box already lies inside, none of its vertices lies outside.
+            // An instance whose loose box already lies inside adds nothing.
             if tight.union(&instance.bounds) == tight {
                 continue;
             }

@@ -1,10 +1,10 @@
 //! Assembly: fills an eye's background from the third camera's picture, through the plane's homography.
 //!
-//! An eye's own picture holds all surfaces before the plane, on black. Samples without a surface get the third
-//! camera's picture, weighted by the fraction of these samples in the pixel.
+//! An eye's own picture shows all surfaces before the plane, on black. Samples without a surface get the third camera's
+//! picture, weighted by the fraction of these samples in the pixel.
 //!
-//! Bilinear taps whose position is covered by an eye's own surface are skipped: where a surface crosses the plane at a
-//! slant, they may lie so far before the plane that the third camera does not draw it there.
+//! Bilinear taps whose position is covered by an eye's own surface are skipped: there a surface that crosses the plane
+//! at a slant may lie so far before the plane that the third camera does not draw it.
 
 use glam::{DMat3, DVec2};
 use rayon::prelude::*;
@@ -38,7 +38,7 @@ const TAP_DISTANCE: usize = 2;
 impl EyeMap<'_> {
     /// Returns the third camera's position for position (x, y) of the eye's picture, pixels.
     #[inline]
-    pub fn place(&self, x: f64, y: f64) -> DVec2 {
+    pub fn lookup_position(&self, x: f64, y: f64) -> DVec2 {
         let mapped = self.to_center.x_axis * x + self.to_center.y_axis * y + self.to_center.z_axis;
         mapped.truncate() / mapped.z
     }
@@ -53,15 +53,15 @@ impl EyeMap<'_> {
     }
 
     /// Returns the weights of the taps for a pixel of the eye: bilinear, without taps covered by the eye's own
-    /// surfaces. `None` if no such surface is near, so that all taps count.
-    pub fn uncovered(&self, column: usize, row: usize, taps: &Taps) -> Option<[f32; 4]> {
+    /// surfaces. `None` if no such surface is near or all taps are covered; then the bilinear weights apply.
+    pub fn uncovered_weights(&self, column: usize, row: usize, taps: &Taps) -> Option<[f32; 4]> {
         let columns = column.saturating_sub(TAP_DISTANCE)..(column + TAP_DISTANCE + 1).min(self.eye.0);
         let mut rows = row.saturating_sub(TAP_DISTANCE)..(row + TAP_DISTANCE + 1).min(self.eye.1);
-        let covered = |row: usize| {
+        let is_covered = |row: usize| {
             let start = row * self.eye.0;
             self.coverage[start + columns.start..start + columns.end].iter().any(|covered| *covered > 0.0)
         };
-        if !rows.any(covered) {
+        if !rows.any(is_covered) {
             return None;
         }
         let mut weights = taps.weights();
@@ -86,7 +86,7 @@ impl EyeMap<'_> {
     /// Interpolates the taps of a pixel of the eye.
     #[inline]
     pub fn mix(&self, column: usize, row: usize, taps: &Taps, picture: &[[f32; 3]]) -> [f32; 3] {
-        match self.uncovered(column, row, taps) {
+        match self.uncovered_weights(column, row, taps) {
             None => taps.mix(picture),
             Some(weights) => {
                 let colors = taps.pixels.map(|pixel| picture[pixel]);
@@ -96,16 +96,16 @@ impl EyeMap<'_> {
     }
 }
 
-/// Minimum sum of weights to divide by; below it, all taps are covered, and all count.
+/// Minimum sum of weights; below it, all taps count as covered.
 const MIN_SUM: f32 = 1e-6;
 
 /// Returns the two pixels whose centres enclose a coordinate, and the weight of the second.
 #[inline]
 pub(super) fn neighbours(coordinate: f64, count: u32) -> (usize, usize, f32) {
     let last = f64::from(count - 1);
-    let from = (coordinate - 0.5).clamp(0.0, last);
-    let first = from.floor();
-    (first as usize, (first + 1.0).min(last) as usize, (from - first) as f32)
+    let position = (coordinate - 0.5).clamp(0.0, last);
+    let first = position.floor();
+    (first as usize, (first + 1.0).min(last) as usize, (position - first) as f32)
 }
 
 impl Taps {
@@ -149,7 +149,7 @@ impl Rig {
         let map = self.eye_map(side, coverage)?;
         self.check_shared("center", center.len())?;
         self.add_behind(coverage, color, progress, |column, row| {
-            let taps = map.taps(map.place(column as f64 + 0.5, row as f64 + 0.5));
+            let taps = map.taps(map.lookup_position(column as f64 + 0.5, row as f64 + 0.5));
             map.mix(column, row, &taps, center)
         })
     }
@@ -181,8 +181,8 @@ impl Rig {
         let map = self.eye_map(side, coverage)?;
         numbers.par_chunks_mut(self.size.0 as usize).enumerate().try_for_each(|(row, numbers)| {
             for (column, number) in numbers.iter_mut().enumerate() {
-                let taps = map.taps(map.place(column as f64 + 0.5, row as f64 + 0.5));
-                let weights = map.uncovered(column, row, &taps).unwrap_or_else(|| taps.weights());
+                let taps = map.taps(map.lookup_position(column as f64 + 0.5, row as f64 + 0.5));
+                let weights = map.uncovered_weights(column, row, &taps).unwrap_or_else(|| taps.weights());
                 let heaviest = (1..4).fold(0, |heaviest, k| if weights[k] > weights[heaviest] { k } else { heaviest });
                 *number = taps.pixels[heaviest] as u32;
             }

@@ -1,5 +1,4 @@
-//! Contents of a scene in the three views of a rig: instances per view, whether there is anything to draw, and
-//! triangle counts.
+//! Contents of the three views of a rig: instances, whether there is anything to draw, and triangle counts.
 
 use glam::{DQuat, DVec3, DVec4};
 use rayon::prelude::*;
@@ -52,7 +51,7 @@ struct Views {
 impl Views {
     /// Creates the views, widened by a margin in pixels on each side.
     fn new(rig: &Rig, axes: &Axes, head: &Head, margin: f64) -> Self {
-        let widened_view = |eye: Eye, size| axes.view(&Eye { fov: widened(&eye.fov, size, margin), ..eye });
+        let widened_view = |eye: Eye, size| axes.view(&Eye { fov: widen(&eye.fov, size, margin), ..eye });
         let eyes = Side::BOTH.map(|side| {
             let eye = rig.eye(side);
             widened_view(Eye { position: rig.middle + eye.position, ..*eye }, rig.size)
@@ -68,29 +67,28 @@ impl Views {
         }
     }
 
-    /// Tests the sides of each eye's view; `overlaps` returns whether an item reaches into some
-    /// half-spaces.
-    fn between_sides(&self, overlaps: impl Fn(&[DVec4]) -> bool) -> [bool; 2] {
+    /// Returns whether an item lies between the sides of each eye's view; `overlaps` tests it against half-spaces.
+    fn is_in_eyes(&self, overlaps: impl Fn(&[DVec4]) -> bool) -> [bool; 2] {
         self.eyes.each_ref().map(|sides| overlaps(sides))
     }
 
-    /// Tests the volumes that the left eye, the right eye and the third camera draw.
+    /// Returns whether the left eye, the right eye and the third camera draw an item.
     fn views_that_draw(&self, sides: [bool; 2], overlaps: impl Fn(&[DVec4]) -> bool) -> [bool; 3] {
         let near = (sides[0] || sides[1]) && overlaps(&self.near);
         [sides[0] && near, sides[1] && near, overlaps(&self.far) && overlaps(&self.center)]
     }
 
-    /// Returns the bits of the views that may draw something in a box.
+    /// Returns the bit mask of the views that may draw something in a box.
     fn mask(&self, low: DVec3, high: DVec3) -> u8 {
         let overlaps = |planes: &[DVec4]| !is_outside(low, high, planes);
-        let drawn = self.views_that_draw(self.between_sides(overlaps), overlaps);
+        let drawn = self.views_that_draw(self.is_in_eyes(overlaps), overlaps);
         drawn.iter().enumerate().map(|(n, &drawn)| u8::from(drawn) << n).sum()
     }
 }
 
 impl Rig {
-    /// Finds the instances of each view, in one pass over their boxes. With `traced`, also tests the triangles before
-    /// the plane against the eyes' region. All results are conservative.
+    /// Finds the instances of each view in one pass over their boxes. With `traced`, a search tree also tests whether
+    /// triangles lie before the plane in the eyes' region. All results are conservative.
     pub fn contents(&self, scene: &Scene, head: &Head, traced: bool, progress: &Progress) -> Result<Contents> {
         let axes = Axes::new(self, scene.origin, head);
         let margin = self.margin()?;
@@ -119,8 +117,8 @@ impl Rig {
         Ok(boxes.par_iter().with_min_len(BOXES).map(count).collect())
     }
 
-    /// Returns the maximum distance in pixels at which something may be shown beside its position: by pixel jitter,
-    /// and by the displacement in the zone.
+    /// Returns the maximum distance in pixels of surfaces from their position, by pixel jitter and by the displacement
+    /// in the zone.
     fn margin(&self) -> Result<f64> {
         let planes = self.planes;
         Ok(1.0 + if planes.begin < planes.end { self.max_error(planes.end, Axis::Both)? } else { 0.0 })
@@ -132,18 +130,18 @@ impl Rig {
         let mut region = Aabb::EMPTY;
         for side in Side::BOTH {
             let eye = self.eye(side);
-            let fov = widened(&eye.fov, self.size, margin);
+            let fov = widen(&eye.fov, self.size, margin);
             for (corner, depth) in corners(&fov).into_iter().flat_map(|c| [(c, head.near), (c, end)]) {
                 let direction = eye.orientation * corner.extend(-1.0);
                 let distance = (depth + eye.position.z) / -direction.z;
-                region.extend(axes.place(self.middle + eye.position + direction * distance).as_vec3());
+                region.extend(axes.to_scene(self.middle + eye.position + direction * distance).as_vec3());
             }
         }
         region
     }
 
-    /// Counts the triangles of each view one by one. The test is conservative: it counts triangles that lie outside a
-    /// view but not outside any single side.
+    /// Counts the triangles of each view one by one. The test is conservative: a triangle outside a view counts unless
+    /// it lies outside a single side.
     pub fn triangles(&self, scene: &Scene, head: &Head, progress: &Progress) -> Result<Triangles> {
         let axes = Axes::new(self, scene.origin, head);
         let views = Views::new(self, &axes, head, 0.0);
@@ -151,7 +149,7 @@ impl Rig {
         let count = |corners: [DVec3; 3]| -> Triangles {
             let overlaps =
                 |planes: &[DVec4]| !planes.iter().any(|p| corners.iter().all(|c| p.truncate().dot(*c) + p.w < 0.0));
-            let sides = views.between_sides(overlaps);
+            let sides = views.is_in_eyes(overlaps);
             let drawn = views.views_that_draw(sides, overlaps);
             let all = overlaps(&whole);
             Triangles {
@@ -173,7 +171,7 @@ impl Rig {
 }
 
 /// Widens a field of view by a margin in pixels on each side.
-fn widened(fov: &Fov, (width, height): (u32, u32), margin: f64) -> Fov {
+fn widen(fov: &Fov, (width, height): (u32, u32), margin: f64) -> Fov {
     let x = margin * (fov.right - fov.left) / f64::from(width);
     let y = margin * (fov.up - fov.down) / f64::from(height);
     Fov { left: fov.left - x, right: fov.right + x, down: fov.down - y, up: fov.up + y }

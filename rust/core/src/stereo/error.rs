@@ -1,6 +1,6 @@
-//! Error of hybrid pictures: how far from its true position an eye is shown a point beyond the plane.
+//! Error of hybrid pictures: distance of displayed points beyond the plane from their true image positions.
 //!
-//! A point P at depth z is shown in the direction of the point of the plane m through which the third camera sees it.
+//! A point P at depth z is displayed at the point of the plane m through which the third camera sees it.
 //! For an eye at p without rotation, which would see P at the tangent a, the error is (Fink et al., Fig. 2)
 //!
 //! Δ = (a s − p) (z − m) / ((z + s) m),
@@ -13,7 +13,7 @@ use rayon::prelude::*;
 use super::rig::{Rig, Side};
 use crate::base::{Progress, Result, ensure};
 
-/// Component of an error that counts.
+/// Measured component of an error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Axis {
     /// Horizontal component.
@@ -34,14 +34,14 @@ impl Axis {
     }
 }
 
-/// Sample positions across a view for an error that is not linear; between them it changes by less than a thousandth.
+/// Sample positions across a view for an error that is not linear. Between them it changes by less than a thousandth.
 const SAMPLES_PER_AXIS: usize = 33;
 /// Sine of half the angle above which an eye counts as rotated; rounding is below it.
 const MIN_ROTATION: f64 = 1e-9;
 
 impl Rig {
-    /// Returns the tangents at which an eye is shown a point that it would see at `true_tangents`, at a depth in metres
-    /// from the plane of the eyes; the depth may be infinite.
+    /// Returns the tangents at which an eye's picture shows a point whose true position is `true_tangents`, at a depth
+    /// in metres from the plane of the eyes; the depth may be infinite.
     pub fn displayed_tangents(&self, side: Side, true_tangents: DVec2, depth: f64) -> DVec2 {
         let eye = self.eye(side);
         let (turn, p) = (DMat3::from_quat(eye.orientation), eye.position);
@@ -58,9 +58,9 @@ impl Rig {
         tangents(turn.transpose() * from_eye)
     }
 
-    /// Returns the depth d at which an eye is shown a point of depth z, on its line to the third camera.
+    /// Returns the depth d at which a point of depth z is displayed, on its line to the third camera.
     ///
-    /// It is z up to m₁ and m from m₂ on. Between, 1/d = u + (u₁ − u)²/(2 (u₁ − u₂)) with u = 1/z: image positions are
+    /// d is z up to m₁ and m from m₂ on. Between, 1/d = u + (u₁ − u)²/(2 (u₁ − u₂)) with u = 1/z. Image positions are
     /// linear in u, so straight lines become parabolas, which begin and end without a kink.
     pub(super) fn depth_shown(&self, z: f64) -> f64 {
         let planes = self.planes;
@@ -74,14 +74,13 @@ impl Rig {
         (u + (first - u).powi(2) / (2.0 * (first - last))).recip()
     }
 
-    /// Returns the point at depth d on the line from the third camera through a point; both relative to the middle,
-    /// head axes.
+    /// Returns the point at depth d on the third camera's line through a point; relative to the middle, head axes.
     pub(super) fn place_shown(&self, point: DVec3, d: f64) -> DVec3 {
         let s = self.setback;
         (point.truncate() * ((d + s) / (s - point.z))).extend(-d)
     }
 
-    /// Returns the error in pixels, to the right and upwards, of a point that an eye would see at `true_tangents`.
+    /// Returns the error in pixels, to the right and upwards, of a point whose true position is `true_tangents`.
     pub fn error(&self, side: Side, true_tangents: DVec2, depth: f64) -> DVec2 {
         (self.displayed_tangents(side, true_tangents, depth) - true_tangents) * self.pixels_per_tangent(side)
     }
@@ -89,7 +88,7 @@ impl Rig {
     /// Returns the maximum error over both eyes, pixels.
     pub fn max_error(&self, depth: f64, axis: Axis) -> Result<f64> {
         check_depth(depth)?;
-        let greatest = |side: Side| {
+        let max_of_eye = |side: Side| {
             let eye = self.eye(side);
             // An error that is linear in the tangents is largest at a corner.
             let is_rotated = eye.orientation.xyz().length() > MIN_ROTATION;
@@ -103,7 +102,7 @@ impl Rig {
             });
             errors.fold(0.0, f64::max)
         };
-        Ok(greatest(Side::Left).max(greatest(Side::Right)))
+        Ok(max_of_eye(Side::Left).max(max_of_eye(Side::Right)))
     }
 
     /// Writes errors in pixels, to the right and upwards, at the centres of an eye's pixels, in row-major order.

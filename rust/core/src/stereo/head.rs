@@ -28,12 +28,12 @@ pub(super) struct Axes {
 
 impl Axes {
     pub fn new(rig: &Rig, origin: DVec3, head: &Head) -> Self {
-        let (turn, place) = (DMat3::from_quat(head.orientation), head.position - origin);
-        Self { turn, head: place, middle: rig.middle }
+        let (turn, position) = (DMat3::from_quat(head.orientation), head.position - origin);
+        Self { turn, head: position, middle: rig.middle }
     }
 
     /// Converts a point in head axes to scene axes, relative to the scene's origin.
-    pub fn place(&self, point: DVec3) -> DVec3 {
+    pub fn to_scene(&self, point: DVec3) -> DVec3 {
         self.head + self.turn * point
     }
 
@@ -45,7 +45,7 @@ impl Axes {
     /// Returns the half-space n·x + d ≥ 0 with a normal and a point of its plane in head axes.
     fn half_space(&self, normal: DVec3, through: DVec3) -> DVec4 {
         let normal = self.turn * normal;
-        normal.extend(-normal.dot(self.place(through)))
+        normal.extend(-normal.dot(self.to_scene(through)))
     }
 
     /// Returns the four sides of a view; the eye's position is in head axes.

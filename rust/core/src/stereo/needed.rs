@@ -1,7 +1,7 @@
 //! Pixels of the third camera's picture that an eye looks up.
 //!
-//! An eye looks up the pixels around the position of each of its pixels with samples without an own surface. If eyes
-//! are not rotated, their rows lie along rows of the third camera, and whole runs of pixels are marked at once.
+//! For each of its pixels that has samples without an own surface, an eye looks up the pixels around the corresponding
+//! position. If eyes are not rotated, their rows lie along rows of the third camera, and runs of pixels are marked.
 
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -14,9 +14,9 @@ use crate::base::memory::{room_for, try_vec};
 use crate::base::{Progress, Result};
 use crate::render::tiles::sample_offsets;
 
-/// Maximum tilt of rows, in pixels, that counts as straight.
+/// Maximum tilt of straight rows, pixels.
 const MAX_TILT: f64 = 1e-9;
-/// Margin around a run, in pixels, far more than rounding.
+/// Margin around a run, pixels; far more than rounding.
 const MARGIN: f64 = 1e-6;
 /// Pixels of a row tested at once.
 const BLOCK: usize = 64;
@@ -29,19 +29,19 @@ impl Rig {
         let [left, right] = coverage;
         let maps = [self.eye_map(Side::Left, left)?, self.eye_map(Side::Right, right)?];
         if samples == 1 && maps.iter().all(EyeMap::is_straight) {
-            self.needed_in_runs(&maps, progress)
+            self.mark_runs(&maps, progress)
         } else {
-            self.needed_one_by_one(&maps, samples, progress)
+            self.mark_pixels(&maps, samples, progress)
         }
     }
 
-    fn needed_in_runs(&self, maps: &[EyeMap<'_>; 2], progress: &Progress) -> Result<Vec<bool>> {
+    fn mark_runs(&self, maps: &[EyeMap<'_>; 2], progress: &Progress) -> Result<Vec<bool>> {
         let lines: Vec<Vec<Line>> = maps.iter().map(EyeMap::lines).collect();
         let (width, height) = self.center_size;
         let mut mask = try_vec(false, width as usize * height as usize)?;
         mask.par_chunks_mut(width as usize).enumerate().try_for_each(|(y, row)| {
             for lines in &lines {
-                // Rows have the same order in both pictures.
+                // Lines ascend, because rows have the same order in both pictures.
                 let first = lines.partition_point(|line| line.rows.end <= y);
                 for line in lines[first..].iter().take_while(|line| line.rows.start <= y) {
                     line.runs.iter().for_each(|run| row[run.clone()].fill(true));
@@ -52,14 +52,14 @@ impl Rig {
         Ok(mask)
     }
 
-    fn needed_one_by_one(&self, maps: &[EyeMap<'_>; 2], samples: u32, progress: &Progress) -> Result<Vec<bool>> {
+    fn mark_pixels(&self, maps: &[EyeMap<'_>; 2], samples: u32, progress: &Progress) -> Result<Vec<bool>> {
         let mask: Vec<AtomicBool> = (0..pixels(self.center_size)).map(|_| AtomicBool::new(false)).collect();
         let offsets = sample_offsets(samples);
         for map in maps {
             map.coverage.par_chunks(map.eye.0).enumerate().try_for_each(|(row, coverage)| {
                 for (column, _) in coverage.iter().enumerate().filter(|(_, covered)| **covered < 1.0) {
                     for [x, y] in &offsets {
-                        let taps = map.taps(map.place(column as f64 + x, row as f64 + y));
+                        let taps = map.taps(map.lookup_position(column as f64 + x, row as f64 + y));
                         taps.pixels.iter().for_each(|&pixel| mask[pixel].store(true, Ordering::Relaxed));
                     }
                 }
@@ -70,7 +70,7 @@ impl Rig {
     }
 }
 
-/// Third-camera pixels that a row of an eye looks up: runs of columns, in several rows.
+/// Third-camera pixels that a row of an eye looks up: runs of columns in several rows.
 struct Line {
     rows: Range<usize>,
     runs: Vec<Range<usize>>,
@@ -87,19 +87,23 @@ impl EyeMap<'_> {
 
     fn lines(&self) -> Vec<Line> {
         let line = |(row, coverage): (usize, &[f32])| {
-            let y = self.place(0.5, row as f64 + 0.5).y;
+            let y = self.lookup_position(0.5, row as f64 + 0.5).y;
             let columns = |run: Range<usize>| {
-                let [from, to] = [run.start, run.end - 1].map(|x| self.place(x as f64 + 0.5, row as f64 + 0.5).x);
-                between(from, to, self.size.0)
+                let [from, to] =
+                    [run.start, run.end - 1].map(|x| self.lookup_position(x as f64 + 0.5, row as f64 + 0.5).x);
+                pixels_around(from, to, self.size.0)
             };
-            Line { rows: between(y, y, self.size.1), runs: uncovered_runs(coverage).into_iter().map(columns).collect() }
+            Line {
+                rows: pixels_around(y, y, self.size.1),
+                runs: uncovered_runs(coverage).into_iter().map(columns).collect(),
+            }
         };
         self.coverage.par_chunks(self.eye.0).enumerate().map(line).collect()
     }
 }
 
 /// Returns the pixels around all positions in an interval.
-fn between(from: f64, to: f64, count: u32) -> Range<usize> {
+fn pixels_around(from: f64, to: f64, count: u32) -> Range<usize> {
     neighbours(from - MARGIN, count).0..neighbours(to + MARGIN, count).1 + 1
 }
 

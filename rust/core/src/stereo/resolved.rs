@@ -1,7 +1,7 @@
 //! Assembly without blur: an eye's pixel shows the surface that the third camera sees exactly at the pixel's position.
 //!
-//! Bilinear interpolation of four pixels blurs textures and edges. The face at a position is usually one that these
-//! four pixels show, so the third camera's ray through the position is intersected with these faces only.
+//! Bilinear interpolation of four pixels would blur textures and edges. Instead, the third camera's ray through the
+//! position is intersected with the faces that the four pixels show, because the face there is usually one of them.
 
 use glam::{DVec2, Vec3};
 
@@ -40,9 +40,8 @@ struct Resolver<'a> {
 }
 
 impl Rig {
-    /// Adds the third camera's view behind an eye's own picture, with `samples` positions per pixel. Where the
-    /// ray hits none of the four pixels' faces, the colour is the sky's if one of the pixels shows it, else the bilinear
-    /// interpolation.
+    /// Adds the third camera's view behind an eye's own picture, with `samples` positions per pixel. If a ray hits none
+    /// of the four pixels' faces, its colour is the sky's if one of them shows the sky, and interpolated otherwise.
     pub fn resolve(
         &self,
         side: Side,
@@ -65,7 +64,7 @@ impl Rig {
         self.add_behind(coverage, color, progress, |column, row| {
             let mut sum = [0.0; 3];
             for [x, y] in &offsets {
-                let position = map.place(column as f64 + x, row as f64 + y);
+                let position = map.lookup_position(column as f64 + x, row as f64 + y);
                 let taps = map.taps(position);
                 let color = resolver.color(&taps, position).unwrap_or_else(|| map.mix(column, row, &taps, far.color));
                 (0..3).for_each(|i| sum[i] += sample_weight * color[i]);
@@ -117,10 +116,10 @@ impl Resolver<'_> {
         let (ab, ac) = (b - a, c - a);
         let p = direction.cross(ac);
         let determinant = ab.dot(p);
-        let from = origin - a;
-        let q = from.cross(ab);
-        let [t, u, v] = [ac.dot(q), from.dot(p), direction.dot(q)].map(|x| x / determinant);
-        // NaN, from faces seen edge-on, fails every comparison.
+        let offset = origin - a;
+        let q = offset.cross(ab);
+        let [t, u, v] = [ac.dot(q), offset.dot(p), direction.dot(q)].map(|x| x / determinant);
+        // Faces seen edge-on give NaN, which fails every comparison.
         let is_inside = u >= 0.0 && v >= 0.0 && u + v <= 1.0 && t >= f64::from(ray.t_min) && t <= f64::from(ray.t_max);
         let hit = Hit { t: t as f32, u: u as f32, v: v as f32, instance, face };
         let is_solid = || !self.has_cutouts || scene.is_solid(&placed.mesh, face, (hit.u, hit.v));

@@ -75,7 +75,7 @@ pub struct Rig {
 
 /// Published factor k of the overlap ε = k s m between the eyes' part of the scene and the third camera's.
 const OVERLAP_FACTOR: f64 = 2.0;
-/// Maximum distance between pixels that are interpolated, in pixels: half an eye pixel and one of the third camera.
+/// Maximum distance between interpolated pixels, in pixels: half an eye's pixel and one of the third camera's.
 const MAX_INTERPOLATION_PX: f64 = 1.5;
 /// Maximum distance of a slanted surface from the line of sight for which the overlap suffices, metres.
 const MAX_SURFACE_OFFSET: f64 = 1.0;
@@ -113,7 +113,7 @@ impl Rig {
     /// Returns the rig with the pixels of all pictures shifted right and down by a fraction of a pixel.
     pub fn jittered(&self, jitter: DVec2) -> Result<Self> {
         let is_valid = jitter.is_finite() && jitter.abs().max_element() <= 1.0;
-        ensure!(is_valid, "jitter", "at most 1 pixel each way", jitter);
+        ensure!(is_valid, "jitter", "at most 1 pixel along each axis", jitter);
         Ok(Self { jitter, ..*self })
     }
 
@@ -122,9 +122,9 @@ impl Rig {
         &self.eyes[side as usize]
     }
 
-    /// Returns ε: distance before the plane m₂ from which the third camera draws, metres. At least the published k s
-    /// m. If pixels are coarse or the plane is far away, it is the depth change of a surface at `MAX_SURFACE_OFFSET` over
-    /// the interpolated pixels, m² / `MAX_SURFACE_OFFSET` per unit of tangent.
+    /// Returns ε: the distance before the plane m₂ from which the third camera draws, metres. It is at least the
+    /// published k s m. For coarse pixels or a far plane, it is the change of depth over the interpolated pixels of a
+    /// surface at `MAX_SURFACE_OFFSET`: m² / `MAX_SURFACE_OFFSET` per unit of tangent.
     pub fn overlap(&self) -> f64 {
         let (m, fov, (width, height)) = (self.planes.end, self.center_fov, self.center_size);
         let pixel = ((fov.right - fov.left) / f64::from(width)).max((fov.up - fov.down) / f64::from(height));
@@ -132,8 +132,8 @@ impl Rig {
             .max((MAX_INTERPOLATION_PX * pixel * m * m / MAX_SURFACE_OFFSET).min(0.5 * m))
     }
 
-    /// Returns the homography of the plane: from pixels (x, y, 1) of the third camera to those of an eye, (x w, y w,
-    /// w). w is the distance of the plane's point along the eye's axis, metres.
+    /// Returns the homography of the plane: from pixels (x, y, 1) of the third camera to pixels (x w, y w, w) of an
+    /// eye. w is the distance of the plane's point along the eye's axis, metres.
     pub fn homography(&self, side: Side) -> DMat3 {
         let eye = self.eye(side);
         let (m, p) = (self.planes.mono(), eye.position);
@@ -189,10 +189,10 @@ fn setback_of(side: Side, eye: &Eye) -> Result<f64> {
         let direction = eye.orientation * DVec3::new(edge, y, -1.0);
         outwards * direction.x / -direction.z
     };
-    let least = slope(eye.fov.down).min(slope(eye.fov.up));
+    let min_slope = slope(eye.fov.down).min(slope(eye.fov.up));
     let expected = "an eye whose outer edge points outwards, away from the other eye";
-    ensure!(least > 0.0, side.name(), expected, format!("an outer tangent of {least}"));
-    Ok((outwards * eye.position.x / least).max(0.0))
+    ensure!(min_slope > 0.0, side.name(), expected, format!("an outer tangent of {min_slope}"));
+    Ok((outwards * eye.position.x / min_slope).max(0.0))
 }
 
 /// Returns the picture size by Eq. 8: the third camera's pixels are as large on the plane as those of the coarser eye.
@@ -201,9 +201,9 @@ fn center_size(footprints: &[[DVec2; 4]; 2], hull: DVec2, (width, height): (u32,
     let mean_width = |[a, b, c, d]: [DVec2; 4]| 0.5 * ((b - a).length() + (c - d).length());
     let mean_height = |[a, b, c, d]: [DVec2; 4]| 0.5 * ((d - a).length() + (c - b).length());
     let pixels = |hull: f64, widths: [f64; 2], count: u32| {
-        let least = widths.map(|width| hull / width * f64::from(count)).into_iter().fold(f64::INFINITY, f64::min);
+        let quotient = widths.map(|width| hull / width * f64::from(count)).into_iter().fold(f64::INFINITY, f64::min);
         // Rounding must not add a pixel to an integer quotient.
-        (least - 1e-6).ceil().max(1.0)
+        (quotient - 1e-6).ceil().max(1.0)
     };
     let size = [pixels(hull.x, footprints.map(mean_width), width), pixels(hull.y, footprints.map(mean_height), height)];
     let is_valid = size.iter().all(|&count| count <= f64::from(MAX_SIZE));
@@ -225,14 +225,14 @@ fn check_planes(Planes { begin, end }: Planes) -> Result<()> {
     Ok(())
 }
 
-/// Fails for eyes behind the plane and for views with edges that do not meet it in front of the head.
+/// Fails for eyes beyond the plane and for views whose corners do not meet it in front of the head.
 fn check_in_front(side: Side, eye: &Eye, m: f64) -> Result<()> {
     let expected = format!("a plane in front of the {} eye, which is {} m ahead", side.name(), -eye.position.z);
     ensure!(m + eye.position.z > 0.0, "mono_plane", expected, m);
     let forward = |corner: DVec2| -(eye.orientation * corner.extend(-1.0)).z / corner.extend(-1.0).length();
     let is_ahead = corners(&eye.fov).into_iter().all(|corner| forward(corner) >= MIN_FORWARD);
     let expected = "a view whose corners lie less than 90° from the head's forward axis";
-    ensure!(is_ahead, side.name(), expected, "one that is turned farther");
+    ensure!(is_ahead, side.name(), expected, "one turned farther");
     Ok(())
 }
 
@@ -241,6 +241,6 @@ fn check_overlap(footprints: &[[DVec2; 4]; 2]) -> Result<()> {
     let [(left_low, left_high), (right_low, right_high)] = footprints.map(|corners| bounds(&corners));
     let expected = "a plane on which the views of both eyes overlap";
     let do_overlap = left_low.cmplt(right_high).all() && right_low.cmplt(left_high).all();
-    ensure!(do_overlap, "mono_plane", expected, "views apart from each other");
+    ensure!(do_overlap, "mono_plane", expected, "views that do not overlap");
     Ok(())
 }

@@ -66,7 +66,7 @@ fn errors_follow_the_closed_form() {
 }
 
 #[test]
-fn points_before_the_plane_stay() {
+fn points_before_the_plane_are_not_displaced() {
     let rig = rig(canted(5.0), 8.0);
     let at = DVec2::new(0.3, -0.4);
     for depth in [0.1, 3.0, 8.0] {
@@ -118,7 +118,7 @@ fn displayed_tangents_and_homography_agree_with_points_in_space() {
 }
 
 #[test]
-fn every_pixel_of_both_eyes_has_one_of_the_third_camera() {
+fn the_third_cameras_picture_covers_both_eyes() {
     for (degrees, m) in [(0.0, 0.3), (5.0, 8.0), (-5.0, 1.6), (15.0, 100.0)] {
         let rig = rig(canted(degrees), m);
         let (width, height) = rig.center_size;
@@ -137,7 +137,7 @@ fn every_pixel_of_both_eyes_has_one_of_the_third_camera() {
 
 #[test]
 fn pixels_of_the_third_camera_are_as_fine_as_those_of_the_eyes() {
-    // Eyes without rotation see the plane at one scale everywhere: the coarser one decides.
+    // Eyes without rotation see the plane at one scale everywhere; the coarser eye decides.
     let rig = rig(vive(), 8.0);
     let fov = rig.center_fov;
     let ((width, height), distance) = (rig.center_size, 8.0 + rig.setback);
@@ -152,7 +152,7 @@ fn pixels_of_the_third_camera_are_as_fine_as_those_of_the_eyes() {
 #[test]
 fn a_zone_joins_both_parts_smoothly() {
     let zone = zoned(canted(5.0), 6.0, 10.0);
-    // The pictures meet on the plane midway between both in 1/z.
+    // The pictures meet on the plane in the middle of the zone in 1/z.
     let plane = rig(canted(5.0), 7.5);
     let at = DVec2::new(0.9, -0.4);
     let displayed = |rig: &Rig, depth: f64| rig.displayed_tangents(Side::Left, at, depth);
@@ -192,7 +192,7 @@ fn impossible_rigs_are_refused() {
     refused([Eye { fov: low, ..left }, Eye { fov: high, ..right }], 8.0, 8.0, size, "views of both eyes overlap");
 }
 
-/// Compares with the pixels around each position, one by one; for eyes without rotation runs are marked.
+/// Compares with the pixels around each position, one by one, for runs (eyes without rotation) and for single pixels.
 #[test]
 fn needed_pixels_surround_all_positions() {
     for (eyes, turned) in [(vive(), false), (canted(4.0), true)] {
@@ -223,14 +223,13 @@ fn needed_pixels_surround_all_positions() {
             (extra + usize::from(*found && !wanted), missing + usize::from(*wanted && !found))
         });
         assert_eq!(missing, 0);
-        // A run also marks all pixels between its ends; the third camera's pixels are about as fine as the eyes'.
+        // A run also marks all pixels between its ends, of which few are unneeded: both pictures are about as fine.
         assert!(extra <= if turned { 0 } else { expected.len() / 100 }, "{extra}");
         assert!(expected.iter().filter(|wanted| !**wanted).count() > 100);
     }
 }
 
-/// Points on the legs, also between their ends, are shown at the ray's position, and the last ones where the third
-/// camera's picture continues.
+/// Points on the legs, even between their ends, are displayed at the ray's position.
 #[test]
 fn legs_stay_close_to_the_bent_ray() {
     for (begin, end, degrees) in [(0.5, 0.6, 0.0), (3.0, 12.0, 5.0), (1.0, 100.0, 0.0), (8.0, 9.0, 10.0)] {

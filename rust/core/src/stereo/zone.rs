@@ -1,7 +1,7 @@
 //! The zone between m₁ and m₂: an eye's rays are bent, so that each surface point appears at its displaced position.
 //!
-//! Up to m₁ a ray is straight. Beyond, let d be the depth at which a surface at depth z is displayed: the bent ray's
-//! point at z lies on the line from the third camera through the unbent ray's point at d. Straight legs join these
+//! Up to m₁ a ray is straight. Beyond, let d be the depth at which a surface at depth z is displayed. The bent ray's
+//! point at z lies on the line from the third camera through the unbent ray's point at d. Straight legs join such
 //! points. The ray ends at m₂, on the third camera's ray through the same image position.
 
 use glam::{DVec3, Vec3};
@@ -27,8 +27,8 @@ const MAX_LEGS: usize = 64;
 const SPAN: usize = 8;
 
 impl Rig {
-    /// Renders an eye's view before m₂. The view's limits exclude everything before m₁; `head` has its greatest
-    /// depth.
+    /// Renders an eye's view up to m₂ and the depth `head.far`. The view's limits must end at m₁; they apply to the
+    /// straight part of each ray.
     pub fn render_zone(
         &self,
         side: Side,
@@ -47,8 +47,8 @@ impl Rig {
 
     /// Returns the depths of the corners of bent rays, from m₁ to m₂ or the maximum depth, evenly spaced in 1/z.
     ///
-    /// In the picture, a bent ray is a parabola with a maximum distance of D pixels from the straight ray, at m₂: n
-    /// legs reduce it to D/(4 n²) pixels.
+    /// In the picture, a bent ray is a parabola whose distance from the straight ray grows to D pixels at m₂. With n
+    /// legs, its distance from the legs is at most D/(4 n²) pixels.
     pub(super) fn leg_depths(&self, far: f64) -> Result<Vec<f64>> {
         let planes = self.planes;
         let end = planes.end.min(far);
@@ -88,11 +88,11 @@ impl Zone<'_> {
     /// Returns the k-th corner of a ray, relative to the scene's origin.
     fn corner(&self, ray: &Ray, k: usize) -> Vec3 {
         let direction = self.axes.to_head(ray.direction.as_dvec3());
-        self.axes.place(self.rig.middle + self.rig.point_shown(self.side, direction, self.depths[k])).as_vec3()
+        self.axes.to_scene(self.rig.middle + self.rig.point_shown(self.side, direction, self.depths[k])).as_vec3()
     }
 
-    /// Returns whether anything may lie near several legs of some rays, from one corner to another. Between these,
-    /// legs deviate by no more than the zone's maximum displacement.
+    /// Returns whether anything may lie near the legs of some rays between two corners, where legs deviate by no more
+    /// than the zone's maximum displacement.
     fn may_hit(&self, misses: &[usize], rays: &[Ray], from: usize, to: usize) -> bool {
         let mut region = Aabb::EMPTY;
         for &n in misses {

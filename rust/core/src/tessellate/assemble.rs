@@ -1,4 +1,4 @@
-//! Splitting of meshes: assembly of pieces into faces and new vertices. Neighbouring pieces share vertices where the
+//! Splitting of meshes: assembly of pieces into faces and new vertices. Neighbouring pieces share vertices if the
 //! source's faces do.
 
 use std::collections::HashMap;
@@ -25,7 +25,7 @@ pub struct SplitCounts {
     pub before: u64,
     /// Triangles of the result.
     pub after: u64,
-    /// Triangles of the source that were examined; the others lie within r₁ or beyond r₂, or move.
+    /// Triangles of the source that were examined; the others move, or lie within r₁ or beyond r₂.
     pub examined: u64,
     /// Triangles of the source that were split.
     pub split: u64,
@@ -55,7 +55,7 @@ pub fn tessellate_arrays(
     rule: &Rule,
     progress: &Progress,
 ) -> Result<Arrays> {
-    rule.demand()?;
+    rule.require_bound()?;
     let mut counts = SplitCounts { before: faces.len() as u64, ..SplitCounts::default() };
     let corners = |face: u32| Some(faces[face as usize].map(|vertex| DVec3::from_array(vertices[vertex as usize])));
     progress.expect(faces.len() as u64);
@@ -125,7 +125,7 @@ pub(super) fn assemble(
     let tiles = source.par_chunks(TILE).enumerate().map(|(tile, faces)| {
         let (mut examined, mut split) = (0, Vec::new());
         for face in (tile * TILE) as u32..(tile * TILE + faces.len()) as u32 {
-            let Some(corners) = corners(face).filter(|corners| !rule.leaves_alone(corners)) else {
+            let Some(corners) = corners(face).filter(|corners| !rule.can_skip(corners)) else {
                 continue;
             };
             examined += 1;
@@ -141,9 +141,9 @@ pub(super) fn assemble(
     let tiles: Vec<(u64, Vec<Split>)> = tiles.collect::<Result<_>>()?;
     counts.examined += tiles.iter().map(|(examined, _)| examined).sum::<u64>();
     let mut split: Vec<Split> = Vec::new();
-    for (_, mut of_tile) in tiles {
-        try_grow(&mut split, of_tile.len())?;
-        split.append(&mut of_tile);
+    for (_, mut tile_split) in tiles {
+        try_grow(&mut split, tile_split.len())?;
+        split.append(&mut tile_split);
     }
     counts.split += split.len() as u64;
     if split.is_empty() {
@@ -160,7 +160,7 @@ fn join(source: &[[u32; 3]], vertex_count: usize, split: &[Split], progress: &Pr
     let face_count = source.len() - split.len() + pieces;
     let mut all =
         Assembled { faces: try_with_capacity(face_count)?, sources: try_with_capacity(face_count)?, new: Vec::new() };
-    let mut known: HashMap<Key, u32> = HashMap::new();
+    let mut new_numbers: HashMap<Key, u32> = HashMap::new();
     let mut next = 0;
     for (face, pieces) in split {
         progress.check()?;
@@ -171,14 +171,14 @@ fn join(source: &[[u32; 3]], vertex_count: usize, split: &[Split], progress: &Pr
         for piece in pieces {
             let mut numbers = [0; 3];
             for ((number, point), weights) in numbers.iter_mut().zip(piece.corners).zip(piece.weights) {
-                *number = match on_source(vertices, *face, weights) {
+                *number = match place_on_source(vertices, *face, weights) {
                     VertexPlace::Corner(vertex) => vertex,
                     VertexPlace::New(place) => {
-                        let fresh = (vertex_count + all.new.len()) as u32;
+                        let next_number = (vertex_count + all.new.len()) as u32;
                         let key = (place, point.to_array().map(f64::to_bits));
-                        *known.entry(key).or_insert_with(|| {
+                        *new_numbers.entry(key).or_insert_with(|| {
                             all.new.push(NewVertex { point, face: *face, weights });
-                            fresh
+                            next_number
                         })
                     }
                 };
@@ -199,22 +199,21 @@ enum VertexPlace {
     New([u32; 2]),
 }
 
-/// Returns the position on the source of a point with these weights. Two zero weights mark a corner, one marks an
-/// edge.
-fn on_source(vertices: [u32; 3], face: u32, weights: [f64; 3]) -> VertexPlace {
+/// Returns the position on the source of a point with these weights. Two zero weights mark a corner, one marks an edge.
+fn place_on_source(vertices: [u32; 3], face: u32, weights: [f64; 3]) -> VertexPlace {
     let used: [bool; 3] = weights.map(|weight| weight != 0.0);
     match used {
         [true, false, false] => VertexPlace::Corner(vertices[0]),
         [false, true, false] => VertexPlace::Corner(vertices[1]),
         [false, false, true] => VertexPlace::Corner(vertices[2]),
-        [true, true, false] => VertexPlace::New(ordered(vertices[0], vertices[1])),
-        [false, true, true] => VertexPlace::New(ordered(vertices[1], vertices[2])),
-        [true, false, true] => VertexPlace::New(ordered(vertices[2], vertices[0])),
-        // No edge joins a vertex with itself, so such a pair can denote the inside of a face.
+        [true, true, false] => VertexPlace::New(ascending(vertices[0], vertices[1])),
+        [false, true, true] => VertexPlace::New(ascending(vertices[1], vertices[2])),
+        [true, false, true] => VertexPlace::New(ascending(vertices[2], vertices[0])),
+        // No edge has two equal ends, so such a pair can stand for the inside of a face.
         _ => VertexPlace::New([face, face]),
     }
 }
 
-fn ordered(a: u32, b: u32) -> [u32; 2] {
+fn ascending(a: u32, b: u32) -> [u32; 2] {
     [a.min(b), a.max(b)]
 }

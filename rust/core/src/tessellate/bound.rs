@@ -36,8 +36,7 @@ pub(super) struct Form {
 pub(super) const MIN_CLEARANCE: f64 = 0.4;
 /// Maximum second derivative of X/|X|, multiplied by |X|²: 2/√3.
 const SECOND_DERIVATIVE: f64 = 1.154_700_538_379_251_7;
-/// Factor for w outside 0..1: it may leave the range by a hundredth where a triangle crosses a radius within the
-/// tolerance.
+/// Factor for w outside 0..1 by up to a hundredth, where a triangle crosses a radius within the tolerance.
 const BLEND_OVERSHOOT: f64 = 1.02;
 /// Weight s in c ℓ ≤ (s c² + ℓ²/s)/2, where c is an edge's component along the radius and ℓ its length. A larger s
 /// reduces the second term, which also counts for vertical edges.
@@ -62,7 +61,7 @@ impl RadialZone {
         rho - self.reach
     }
 
-    /// Returns D, R/D and the divisor of errors; if no bound holds, the values of the nearest case that has one.
+    /// Returns D, R/D and the divisor of errors. If there is no bound, D is increased to the minimum with one.
     fn distances(&self, rho: f64) -> (f64, f64, f64) {
         let nearest = self.clearance(rho).max(MIN_CLEARANCE * rho);
         let ratio = self.reach.min(rho) / nearest;
@@ -76,7 +75,7 @@ impl RadialZone {
         reach * rho / (nearest * (rho + reach)) / (1.0 - ratio.min(2.0).powi(2) / 8.0)
     }
 
-    /// Returns the maximum angle, in radians, per metre by which a point is assigned to the wrong side of a radius.
+    /// Returns the maximum error, in radians, per metre by which a point lies on the wrong side of a radius.
     pub fn slope(&self, rho: f64) -> f64 {
         let (nearest, ratio, divisor) = self.distances(rho);
         BLEND_OVERSHOOT * (self.turn(rho) + ratio * ratio * nearest / (2.0 * divisor)) / self.width
@@ -94,26 +93,25 @@ impl RadialZone {
         let mut along = 2.0 * bent / (width * width) / divisor;
         let mut mixed = BLEND_OVERSHOOT * 2.0 * (4.0 / 3.0) * q * q / width / divisor;
         let mut any = 21.0_f64.sqrt() / 4.0 * q * q / d / divisor;
-        // τ d. Each pair holds the derivative per metre in any direction, and the additional derivative per metre
-        // along the radius.
-        let least_n = (1.0 - (q * q / 4.0).min(0.75)).sqrt();
-        let tau = q * q * d / 4.0 / (1.0 + least_n);
-        let n = (SECOND_DERIVATIVE * q * q / (4.0 * d * least_n), BLEND_OVERSHOOT * q * q / (2.0 * width * least_n));
+        // τ d. Pairs are derivatives per metre: in any direction, and in addition along the radius.
+        let min_n = (1.0 - (q * q / 4.0).min(0.75)).sqrt();
+        let tau = q * q * d / 4.0 / (1.0 + min_n);
+        let n = (SECOND_DERIVATIVE * q * q / (4.0 * d * min_n), BLEND_OVERSHOOT * q * q / (2.0 * width * min_n));
         let tau_change = (
-            (q * q / 4.0 + SECOND_DERIVATIVE / 2.0 * q * q * (1.0 + q).sqrt() + tau * n.0) / (1.0 + least_n),
-            (q * q / 4.0 * q * d / width + BLEND_OVERSHOOT * q * q * d / width + tau * n.1) / (1.0 + least_n),
+            (q * q / 4.0 + SECOND_DERIVATIVE / 2.0 * q * q * (1.0 + q).sqrt() + tau * n.0) / (1.0 + min_n),
+            (q * q / 4.0 * q * d / width + BLEND_OVERSHOOT * q * q * d / width + tau * n.1) / (1.0 + min_n),
         );
         let blend = (1.0 / d, q / width);
-        any += (2.0 * tau_change.0 * blend.0 / least_n
-            + tau * (SECOND_DERIVATIVE / (d * d * least_n) + 2.0 * blend.0 * n.0 / least_n.powi(2)))
+        any += (2.0 * tau_change.0 * blend.0 / min_n
+            + tau * (SECOND_DERIVATIVE / (d * d * min_n) + 2.0 * blend.0 * n.0 / min_n.powi(2)))
             / divisor;
-        mixed += (2.0 * (tau_change.0 * blend.1 + tau_change.1 * blend.0) / least_n
+        mixed += (2.0 * (tau_change.0 * blend.1 + tau_change.1 * blend.0) / min_n
             + tau
-                * (2.0 * SECOND_DERIVATIVE * q / (d * width * least_n)
-                    + 2.0 * (blend.0 * n.1 + blend.1 * n.0) / least_n.powi(2)))
+                * (2.0 * SECOND_DERIVATIVE * q / (d * width * min_n)
+                    + 2.0 * (blend.0 * n.1 + blend.1 * n.0) / min_n.powi(2)))
             / divisor;
-        along += (2.0 * tau_change.1 * blend.1 / least_n + tau * 2.0 * blend.1 * n.1 / least_n.powi(2)) / divisor;
-        across += tau * q / (rho * width * least_n) / divisor;
+        along += (2.0 * tau_change.1 * blend.1 / min_n + tau * 2.0 * blend.1 * n.1 / min_n.powi(2)) / divisor;
+        across += tau * q / (rho * width * min_n) / divisor;
         along += mixed * RADIAL_WEIGHT / 2.0;
         any += mixed / (2.0 * RADIAL_WEIGHT);
         let turned = (across - along).abs() * spread.min(1.0);
@@ -128,8 +126,7 @@ mod tests {
     use glam::DVec3;
     use proptest::prelude::*;
 
-    /// Returns the second difference of the morph along a step, across the displayed direction, as an angle; a form
-    /// bounds it.
+    /// Returns the second difference of the morph along a step, across the displayed direction, as an angle.
     fn curvature(morph: &Morph, point: DVec3, step: DVec3) -> f64 {
         let [before, here, after] = [point - step, point, point + step].map(|p| morph.apply(p) - morph.user);
         let second = before + after - 2.0 * here;

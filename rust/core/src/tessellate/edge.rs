@@ -1,4 +1,4 @@
-//! Edges and triangles in the ground plane, relative to the axis, and the splits of edges.
+//! Edges and triangles in the ground plane, relative to the axis, and the split points of edges.
 
 use glam::DVec2;
 
@@ -7,7 +7,7 @@ use glam::DVec2;
 pub(super) struct Cut {
     /// Fraction of the way along the edge.
     pub fraction: f64,
-    /// Length of the edge in the rule's own measure: the longest edge of a triangle is split first.
+    /// Length of the edge in the rule's own measure. The longest edge of a triangle is split first.
     pub size: f64,
 }
 
@@ -19,8 +19,8 @@ pub(super) fn segment_distance(p: DVec2, q: DVec2) -> f64 {
     (p + d * fraction).length()
 }
 
-/// Returns the fraction of the way from p to q at which their segment crosses one of the radii: the crossing nearest
-/// to the middle. `None` if there is no crossing or all lie within `end_margin` of the ends.
+/// Returns the fraction of the way from p to q at which the segment crosses one of the radii, nearest to the middle.
+/// `None` if there is no crossing or all lie within the fraction `end_margin` of the ends.
 pub(super) fn crossing(p: DVec2, q: DVec2, radii: &[f64], end_margin: f64) -> Option<f64> {
     let d = q - p;
     let (squared, along) = (d.length_squared(), p.dot(d));
@@ -28,7 +28,7 @@ pub(super) fn crossing(p: DVec2, q: DVec2, radii: &[f64], end_margin: f64) -> Op
         let root = (along * along - squared * (p.length_squared() - radius * radius)).sqrt();
         [(-along - root) / squared, (-along + root) / squared]
     });
-    // The fraction is NaN if the edge misses a cylinder or is vertical; NaN lies in no range.
+    // If the edge misses a cylinder or is vertical, its fractions are NaN, which lies in no range.
     roots
         .filter(|fraction| (end_margin..=1.0 - end_margin).contains(fraction))
         .min_by(|a, b| (a - 0.5).abs().total_cmp(&(b - 0.5).abs()).then(a.total_cmp(b)))

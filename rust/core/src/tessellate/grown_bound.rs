@@ -87,8 +87,8 @@ pub(super) struct Region {
 impl Region {
     /// Returns the maximum slope of w for points from ρ on.
     pub fn slope(&self, rho: f64) -> f64 {
-        let [least, greatest] = self.radii;
-        if rho >= greatest { 0.0 } else { 1.0 / ((1.0 - self.near) * least.max(rho)) }
+        let [min, max] = self.radii;
+        if rho >= max { 0.0 } else { 1.0 / ((1.0 - self.near) * min.max(rho)) }
     }
 
     /// Returns the bound for triangles whose points have at least distance ρ from the axis and B ≥ ρ from the centre;
@@ -142,7 +142,7 @@ impl Region {
     }
 }
 
-/// Returns the error in radians that the sum of a bound's terms may reach, so that the angle is within a tolerance.
+/// Returns the maximum sum of a bound's terms, in radians, for which the angle is within a tolerance.
 pub(super) fn allowed_error(tolerance: f64) -> f64 {
     let angle = tolerance.min(0.25);
     angle * MIN_STRETCH_RATIO * (1.0 - 2.0 * angle)

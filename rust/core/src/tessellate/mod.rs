@@ -4,8 +4,8 @@
 //! Popescu, Lee, Choi, Fahmy (2022) morph vertices; the error bounds are nearfar's own (`bound.rs` for blends,
 //! `grown_bound.rs` for cylinders while they grow). Edges are cut where they cross r₁ and r₂, because the morph has
 //! kinks there, and between the radii until the bound holds. The cut of an edge depends on the edge alone, so there
-//! are no cracks between triangles, meshes or objects. Triangles that do not move (within r₁), and triangles that a
-//! blend moves as a whole (beyond r₂), are never cut and keep their bits.
+//! are no cracks between triangles, meshes or objects. Triangles within r₁, which do not move, and triangles beyond r₂,
+//! which a blend moves as a whole, are never cut and keep their bits.
 
 mod assemble;
 mod blend;

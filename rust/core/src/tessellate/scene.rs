@@ -21,11 +21,11 @@ pub fn tessellate_scene(
     is_chosen: impl Fn(i32) -> bool + Sync,
     progress: &Progress,
 ) -> Result<(Scene, SplitCounts)> {
-    rule.demand()?;
+    rule.require_bound()?;
     split_scene(scene, rule, is_chosen, progress)
 }
 
-/// Same as `tessellate_scene`, whether the rule's tolerance is a bound or not. Meshes that need no split are shared with
+/// Same as `tessellate_scene`, even if the rule's tolerance is not a bound. Meshes that need no split are shared with
 /// the source. The rule's centre is relative to the scene's origin.
 pub fn split_scene(
     scene: &Scene,
@@ -77,12 +77,12 @@ pub fn needs_split(instance: &Instance, rule: &Rule) -> bool {
     touches(instance, rule) && longest() > rule.harmless_length()
 }
 
-/// Returns false if an instance's box alone proves that it has no point where edges are split.
+/// Returns false if an instance's box proves that it has no point where edges are split.
 fn touches(instance: &Instance, rule: &Rule) -> bool {
     let [low, high] =
         [instance.bounds.min, instance.bounds.max].map(|corner| rule.settings.on_ground(corner.as_dvec3()));
-    let (least, greatest) = (low.max(-high).max(glam::DVec2::ZERO), low.abs().max(high.abs()));
-    !instance.mesh.faces.is_empty() && least.length() < rule.outer() && !rule.is_within(greatest.length())
+    let (nearest, farthest) = (low.max(-high).max(glam::DVec2::ZERO), low.abs().max(high.abs()));
+    !instance.mesh.faces.is_empty() && nearest.length() < rule.outer() && !rule.is_within(farthest.length())
 }
 
 /// Builds the placed mesh. Vertices of unsplit faces keep their bits.
@@ -96,20 +96,20 @@ fn mesh_of(instance: &Instance, split: Assembled, progress: &Progress) -> Result
     let mut positions = try_with_capacity(mesh.positions.len() + new.len())?;
     positions.extend(mesh.positions.iter().map(place));
     positions.extend(new.iter().map(|new| new.point.as_vec3().to_array()));
-    let uvs = mesh.uvs.as_deref().map(|uvs| extended(mesh, uvs, new, interpolated_uv)).transpose()?;
-    let colors = mesh.colors.as_deref().map(|colors| extended(mesh, colors, new, interpolated_color)).transpose()?;
+    let uvs = mesh.uvs.as_deref().map(|uvs| extend(mesh, uvs, new, interpolate_uv)).transpose()?;
+    let colors = mesh.colors.as_deref().map(|colors| extend(mesh, colors, new, interpolate_color)).transpose()?;
     let objects = mesh.objects.selected(&split.sources, progress)?;
     let materials = mesh.materials.selected(&split.sources, progress)?;
     let mut normals = instance.vertex_normals(progress)?;
     if let Some(normals) = &mut normals {
-        try_extend(normals, new.iter().map(|new| interpolated_normal(instance, new)))?;
+        try_extend(normals, new.iter().map(|new| interpolate_normal(instance, new)))?;
     }
     let normals = normals.map(Buffer::from);
     Mesh::new(positions.into(), split.faces.into(), uvs, colors, objects, materials)?.with_normals(normals)
 }
 
-/// Returns the normal interpolated as in shading; zero between corners without normals.
-fn interpolated_normal(instance: &Instance, new: &NewVertex) -> [f32; 3] {
+/// Interpolates a normal as in shading; zero between corners without normals.
+fn interpolate_normal(instance: &Instance, new: &NewVertex) -> [f32; 3] {
     let rows = instance.corner_normals(new.face).unwrap_or_default();
     let is_plain = |(row, weight): (&Vec3, f64)| *row == Vec3::ZERO || weight == 0.0;
     if rows.iter().zip(new.weights).all(is_plain) {
@@ -117,15 +117,14 @@ fn interpolated_normal(instance: &Instance, new: &NewVertex) -> [f32; 3] {
     }
     let [a, b, c] = instance.corners(new.face).map(|corner| corner.as_dvec3());
     let plane = (b - a).cross(c - a).normalize_or_zero().as_vec3();
-    // Flipped to the side of the corners' normals, so that these stay as they are and the new normal is on the same
-    // side.
+    // The plane's normal is flipped to the side of the corners' normals, so that these are not flipped.
     let side = if rows.iter().sum::<Vec3>().dot(plane) < 0.0 { -plane } else { plane };
     let corners = facing_normals(rows, side).unwrap_or_default();
     let sum: DVec3 = corners.iter().zip(new.weights).map(|(corner, weight)| corner.as_dvec3() * weight).sum();
     sum.normalize_or_zero().as_vec3().to_array()
 }
 
-fn extended<T: Copy + Send + Sync + 'static>(
+fn extend<T: Copy + Send + Sync + 'static>(
     mesh: &Mesh,
     values: &[T],
     new: &[NewVertex],
@@ -139,12 +138,12 @@ fn extended<T: Copy + Send + Sync + 'static>(
     Ok(all.into())
 }
 
-fn interpolated_uv(uvs: [[f32; 2]; 3], weights: [f64; 3]) -> [f32; 2] {
+fn interpolate_uv(uvs: [[f32; 2]; 3], weights: [f64; 3]) -> [f32; 2] {
     [0, 1].map(|i| (0..3).map(|k| f64::from(uvs[k][i]) * weights[k]).sum::<f64>() as f32)
 }
 
-/// Returns the colour interpolated in linear light, as in shading; alpha is linear already.
-fn interpolated_color(colors: [[u8; 4]; 3], weights: [f64; 3]) -> [u8; 4] {
+/// Interpolates a colour in linear light, as in shading; alpha is linear already.
+fn interpolate_color(colors: [[u8; 4]; 3], weights: [f64; 3]) -> [u8; 4] {
     let linear = linear_from_srgb();
     let mix = |value: &dyn Fn(usize) -> f64| (0..3).map(|k| value(k) * weights[k]).sum::<f64>();
     let light = |i: usize| srgb_from_linear(mix(&|k| f64::from(linear[usize::from(colors[k][i])])) as f32);

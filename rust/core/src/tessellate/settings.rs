@@ -5,8 +5,8 @@ use glam::{DVec2, DVec3};
 use crate::base::{Result, ensure};
 use crate::morph::{Kind, Morph};
 
-/// Fraction of r₁ within which a user's error has a bound, reduced by how far triangles may pass r₁: 0.6 for a blend,
-/// 0.5 for a cylinder.
+/// Fractions of r₁ within which a user's error has a bound: 0.6 for a blend and 0.5 for a cylinder, reduced because
+/// triangles may pass r₁.
 const MAX_BLEND_REACH: f64 = 0.59;
 const MAX_CYLINDER_REACH: f64 = 0.498;
 
@@ -53,8 +53,8 @@ pub fn bent_from(morph: &Morph) -> f64 {
 }
 
 impl Settings {
-    /// Creates settings for one morph. If a blend bends triangles from the axis on, w still falls over r₂ − r₁, so the
-    /// tolerance is reduced in proportion.
+    /// Creates settings for one morph. A blend below full strength bends triangles from the axis on, but w still falls
+    /// only between r₁ and r₂, so the tolerance is reduced in proportion.
     pub fn from_morph(morph: &Morph, drawn: f64, reach: f64, tolerance: f64) -> Self {
         let Morph { center, r1, r2, strength, .. } = *morph;
         match morph.kind {
@@ -88,8 +88,8 @@ impl Settings {
         DVec2::new(p.x - self.center.x, p.z - self.center.z)
     }
 
-    /// Rounds the reach up and the tolerance down to the next step; returns both steps and the settings there. A reach
-    /// with a bound keeps it.
+    /// Rounds the reach up and the tolerance down to the next step; returns both steps and the rounded settings. If the
+    /// reach has a bound, so has the rounded reach.
     pub fn stepped(self) -> (Steps, Self) {
         let Self { r1, drawn, reach, tolerance, .. } = self;
         let unit = r1.max(drawn / 16.0);

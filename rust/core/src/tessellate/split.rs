@@ -12,8 +12,7 @@ use crate::base::Result;
 pub struct Piece {
     /// Positions of its corners.
     pub corners: [DVec3; 3],
-    /// Weights of the whole triangle's corners at each corner. One weight of exactly 0 marks an edge, two mark a
-    /// corner.
+    /// Weights of the whole triangle's corners at each corner. One weight of exactly 0 marks an edge, two a corner.
     pub weights: [[f64; 3]; 3],
 }
 
@@ -37,8 +36,8 @@ impl Piece {
         Self { corners, weights: CORNER_WEIGHTS }
     }
 
-    /// Returns pieces that cover a triangle; a single piece is the triangle itself. Pieces for which `is_unseen` is true
-    /// are omitted. `report` receives the number of pieces after every few thousand and may stop the split.
+    /// Returns pieces that cover a triangle; a single piece is the triangle itself. Pieces for which `is_unseen` is
+    /// true are omitted. `report` receives the number of new pieces after every few thousand and may stop the split.
     pub fn split(
         self,
         rule: &Rule,
@@ -99,7 +98,7 @@ fn cut(rule: &Rule, precision: Precision, a: Corner, b: Corner) -> Option<(Corne
     let (a, b) = if (a.0.x, a.0.y, a.0.z) > (b.0.x, b.0.y, b.0.z) { (b, a) } else { (a, b) };
     let Cut { fraction, size } = rule.cut(a.0, b.0)?;
     let point = precision.round(a.0.lerp(b.0, fraction));
-    // A point that rounds to an end would cause endless splits.
     let weights = std::array::from_fn(|i| a.1[i] + (b.1[i] - a.1[i]) * fraction);
+    // A point that rounds to an end would cause endless splits.
     (point != a.0 && point != b.0).then_some(((point, weights), size))
 }

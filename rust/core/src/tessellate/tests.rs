@@ -31,8 +31,8 @@ fn numbers(seed: u64) -> impl FnMut() -> f64 {
     }
 }
 
-/// Returns the maximum angle between the interpolated morph of a piece's corners and the morph of the point itself, for
-/// some points: middles of edges, the centroid, and random ones.
+/// Returns the maximum angle between the interpolated morph of a piece's corners and the exact morph, at some points:
+/// middles of edges, the centroid, and random ones.
 fn miss(morph: &Morph, corners: &[DVec3; 3], points: usize, next: &mut impl FnMut() -> f64) -> f64 {
     let angle = |point: usize| {
         let [s, t, u] = match point {
@@ -55,8 +55,8 @@ fn miss(morph: &Morph, corners: &[DVec3; 3], points: usize, next: &mut impl FnMu
     (0..points).map(angle).fold(0.0, f64::max)
 }
 
-/// Returns the maximum error at some points of each piece, for users, radii and strengths within the settings; most
-/// users stand at the region's border.
+/// Returns the maximum error at some points of each piece, for random users, radii and strengths within the settings.
+/// Most users stand at the region's border.
 fn greatest_miss(pieces: &[Piece], settings: &Settings, seed: u64, stages: usize, points: usize) -> f64 {
     let Settings { center, r1, r2, reach, .. } = *settings;
     let mut next = numbers(seed);
@@ -83,8 +83,9 @@ fn greatest_miss(pieces: &[Piece], settings: &Settings, seed: u64, stages: usize
 }
 
 fn ground(extent: f64) -> [[DVec3; 3]; 2] {
-    let at = |x: f64, z: f64| DVec3::new(x * extent, 0.0, z * extent);
-    [[at(-1.0, -1.0), at(-1.0, 1.0), at(1.0, 1.0)], [at(-1.0, -1.0), at(1.0, 1.0), at(1.0, -1.0)]]
+    let corner = |x: f64, z: f64| DVec3::new(x * extent, 0.0, z * extent);
+    let [a, b, c, d] = [corner(-1.0, -1.0), corner(-1.0, 1.0), corner(1.0, 1.0), corner(1.0, -1.0)];
+    [[a, b, c], [a, c, d]]
 }
 
 fn area([a, b, c]: &[DVec3; 3]) -> DVec3 {
@@ -148,21 +149,21 @@ proptest! {
     }
 
     #[test]
-    fn neighbours_get_the_same_vertices_and_nothing_is_lost(
+    fn neighbours_get_the_same_vertices_and_pieces_cover_them(
         a in point(), b in point(), c in point(), d in point(), settings in any_settings(), single in any::<bool>(),
     ) {
         check_neighbours([a, b, c, d], &settings, single);
     }
 
     #[test]
-    fn triangles_that_reach_no_point_between_the_radii_are_left_alone(
+    fn triangles_without_a_point_between_the_radii_are_not_split(
         a in point(), b in point(), c in point(), settings in any_settings(),
     ) {
         let rule = Rule::new(&settings, Precision::Double).unwrap();
         let beyond = DVec3::X * (settings.r2 + 81.0 + settings.center.x);
         let within = |p: DVec3| settings.center + (p / 160.0) * settings.r1;
         for corners in [[a, b, c].map(|p| p + beyond), [a, b, c].map(within)] {
-            prop_assert!(rule.leaves_alone(&corners) || corners.iter().all(|p| p.x > settings.r2));
+            prop_assert!(rule.can_skip(&corners) || corners.iter().all(|p| p.x > settings.r2));
             prop_assert_eq!(pieces(corners, &rule), vec![Piece::of_triangle(corners)]);
         }
     }
@@ -182,7 +183,7 @@ fn two_triangles_of_ground_are_bounded_tightly() {
 }
 
 #[test]
-fn radii_below_what_coordinates_tell_apart_end_too() {
+fn splits_end_for_radii_below_the_resolution_of_coordinates() {
     let corners = [(-4e3, -4e3), (-4e3, 8e3), (8e3, -4e3)].map(|(x, z)| DVec3::new(x, 0.0, z));
     for is_blend in [true, false] {
         for (r1, r2) in [(0.0, 1e-9), (0.0, 1e-13), (0.0, 1e-300), (0.0, 50.0), (30.0, 30.0 + 1e-12), (30.0, 50.0)] {
@@ -203,12 +204,12 @@ fn radii_below_what_coordinates_tell_apart_end_too() {
 
 #[test]
 fn settings_without_a_bound_are_refused_by_argument() {
-    let refused = |settings: Settings| {
+    let split_with = |settings: Settings| {
         let rule = Rule::new(&settings, Precision::Double)?;
         tessellate_arrays(&[], &[], &rule, &Progress::new())
     };
     let good = settings(5.0, 5e-4);
-    assert_eq!(refused(good).unwrap().counts, SplitCounts::default());
+    assert_eq!(split_with(good).unwrap().counts, SplitCounts::default());
     for (name, wrong) in [
         ("user_region", Settings { reach: 18.0, ..good }),
         ("user_region", Settings { reach: f64::NAN, ..good }),
@@ -218,7 +219,7 @@ fn settings_without_a_bound_are_refused_by_argument() {
         ("r2", Settings { r2: 20.0, ..good }),
         ("center", Settings { center: DVec3::INFINITY, ..good }),
     ] {
-        let message = refused(wrong).unwrap_err().to_string();
+        let message = split_with(wrong).unwrap_err().to_string();
         assert!(message.starts_with(name), "{message}");
     }
 }
@@ -227,6 +228,6 @@ fn settings_without_a_bound_are_refused_by_argument() {
 fn a_user_who_stays_at_the_centre_needs_nothing() {
     let rule = Rule::new(&settings(0.0, 5e-4), Precision::Double).unwrap();
     let [first, _] = ground(45.0);
-    // With this rule nothing is moved: edges are cut at the radii only.
+    // Nothing moves, so edges are cut only at the radii.
     assert!(pieces(first, &rule).len() < 2_000);
 }

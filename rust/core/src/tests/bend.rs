@@ -6,7 +6,7 @@ use serde_json::Value;
 
 use super::{assert_near, cases, morph_of, number, numbers, row, rows};
 
-/// Returns the kinds of a case; without near geometry there is no blend.
+/// Returns the kinds of a case; a blend needs near geometry.
 fn kinds(case: &Value) -> &'static [Kind] {
     if number(&case["r2"]) > 0.0 { &[Kind::Blend, Kind::Cylinder] } else { &[Kind::Cylinder] }
 }

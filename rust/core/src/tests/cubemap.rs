@@ -6,7 +6,7 @@ use glam::DVec3;
 use super::{assert_near, cases, indices, number, numbers, rows};
 
 #[test]
-fn places_on_faces_have_their_directions() {
+fn positions_on_faces_have_their_directions() {
     for case in cases("cubemap", "faces") {
         let face = number(&case["face"]) as u8;
         let (u, v) = (numbers(&case["u"]), numbers(&case["v"]));
@@ -19,7 +19,7 @@ fn places_on_faces_have_their_directions() {
 }
 
 #[test]
-fn directions_have_their_places_and_texels() {
+fn directions_have_their_faces_and_positions() {
     for case in cases("cubemap", "directions") {
         let (faces, u, v) = (indices(&case["face"]), numbers(&case["u"]), numbers(&case["v"]));
         for (n, direction) in rows::<3>(&case["directions"]).into_iter().map(DVec3::from_array).enumerate() {

@@ -1,7 +1,7 @@
 use crate::base::Progress;
 use crate::lod::{Status, fit_4pl};
 
-use super::{assert_near, assert_share, cases, number, numbers};
+use super::{assert_near, assert_relative, cases, number, numbers};
 
 #[test]
 fn fits_find_the_parameters_of_exact_samples() {
@@ -10,8 +10,8 @@ fn fits_find_the_parameters_of_exact_samples() {
         let curve = fit_4pl(&x, &y, x.len(), &Progress::new()).unwrap()[0];
         assert_eq!(curve.status, Status::Fitted, "{}", case["region"]);
         let [a, b, c, d] = ["a", "b", "c", "d"].map(|name| number(&case[name]));
-        let share = number(&case["tolerance"]["float64"]);
-        assert_share(&case, &[curve.b, curve.c], &[b, c], share);
-        assert_near(&case, &[curve.a, curve.d], &[a, d], share * a.abs().max(d.abs()));
+        let bound = number(&case["tolerance"]["float64"]);
+        assert_relative(&case, &[curve.b, curve.c], &[b, c], bound);
+        assert_near(&case, &[curve.a, curve.d], &[a, d], bound * a.abs().max(d.abs()));
     }
 }

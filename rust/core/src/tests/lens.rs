@@ -2,7 +2,7 @@ use crate::base::Progress;
 use crate::lens::{InverseMethod, RadialLens};
 use serde_json::Value;
 
-use super::{assert_near, assert_share, cases, number, numbers, row, rows};
+use super::{assert_near, assert_relative, cases, number, numbers, row, rows};
 
 fn lens_of(case: &Value) -> RadialLens {
     let tangential = if case["tangential"].is_null() { [0.0; 2] } else { row(&case["tangential"]) };
@@ -15,11 +15,11 @@ fn distorted_radii_equal_the_polynomial() {
         let (lens, r, tolerance) = (lens_of(&case), numbers(&case["r"]), &case["tolerance"]);
         let mut found = vec![0.0; r.len()];
         lens.distort_all(&r, &mut found, true, &Progress::new()).unwrap();
-        assert_share(&case, &found, &numbers(&case["distorted"]), number(&tolerance["distort"]));
+        assert_relative(&case, &found, &numbers(&case["distorted"]), number(&tolerance["distort"]));
         lens.derivative_all(&r, &mut found, true, &Progress::new()).unwrap();
         assert_near(&case, &found, &numbers(&case["derivative"]), number(&tolerance["derivative"]));
         for (&r, &expected) in r.iter().zip(&numbers(&case["distorted"])) {
-            assert_share(&case, &[lens.distort(r.abs())], &[expected.abs()], number(&tolerance["distort"]));
+            assert_relative(&case, &[lens.distort(r.abs())], &[expected.abs()], number(&tolerance["distort"]));
         }
     }
 }
@@ -31,14 +31,14 @@ fn every_method_undistorts_radii() {
         let expected = numbers(&case["undistorted"]);
         let exact = number(&tolerance["undistort"]);
         let mut found = vec![0.0; x.len()];
-        for (method, share) in
+        for (method, bound) in
             [(InverseMethod::Newton, exact), (InverseMethod::Table, exact + number(&tolerance["lut"]))]
         {
             lens.undistort_all(&x, &mut found, method, true, &Progress::new()).unwrap();
-            assert_share(&case, &found, &expected, share);
+            assert_relative(&case, &found, &expected, bound);
         }
         for (&x, &expected) in x.iter().zip(&expected) {
-            assert_share(&case, &[lens.undistort(x.abs())], &[expected.abs()], exact);
+            assert_relative(&case, &[lens.undistort(x.abs())], &[expected.abs()], exact);
         }
     }
 }
@@ -49,7 +49,7 @@ fn the_published_iteration_takes_its_steps() {
         let (lens, x) = (lens_of(&case), numbers(&case["distorted"]));
         let mut found = vec![0.0; x.len()];
         lens.undistort_all(&x, &mut found, InverseMethod::FixedPoint(4), true, &Progress::new()).unwrap();
-        assert_share(&case, &found, &numbers(&case["fixed_point"]), number(&case["tolerance"]["fixed_point"]));
+        assert_relative(&case, &found, &numbers(&case["fixed_point"]), number(&case["tolerance"]["fixed_point"]));
     }
 }
 
@@ -61,9 +61,14 @@ fn lenses_fold_at_the_root_of_the_derivative() {
             assert_eq!(lens.r_max(), f64::INFINITY, "{}", case["region"]);
             continue;
         }
-        let share = number(&case["tolerance"]["fold"]);
-        assert_share(&case, &[lens.r_max()], &[number(&case["r_max"])], share);
-        assert_share(&case, &[lens.x_max()], &[number(&case["distorted_max"])], number(&case["tolerance"]["distort"]));
+        let bound = number(&case["tolerance"]["fold"]);
+        assert_relative(&case, &[lens.r_max()], &[number(&case["r_max"])], bound);
+        assert_relative(
+            &case,
+            &[lens.x_max()],
+            &[number(&case["distorted_max"])],
+            number(&case["tolerance"]["distort"]),
+        );
     }
 }
 

@@ -1,4 +1,4 @@
-//! Kernels against the test vectors of all languages: inputs, exact outputs, and error bounds for consumers.
+//! Comparison of kernels with the test vectors that all languages share: inputs, exact outputs, and error bounds.
 
 mod bend;
 mod cubemap;
@@ -55,15 +55,15 @@ fn assert_near(case: &Value, found: &[f64], expected: &[f64], bound: f64) {
 
 /// Asserts that numbers differ from the expected ones by at most a relative bound.
 #[track_caller]
-fn assert_share(case: &Value, found: &[f64], expected: &[f64], share: f64) {
-    assert_within(case, found, expected, |expected| share * expected.abs());
+fn assert_relative(case: &Value, found: &[f64], expected: &[f64], bound: f64) {
+    assert_within(case, found, expected, |expected| bound * expected.abs());
 }
 
 #[track_caller]
 fn assert_within(case: &Value, found: &[f64], expected: &[f64], bound: impl Fn(f64) -> f64) {
     assert_eq!(found.len(), expected.len(), "{}", case["region"]);
     for (n, (&found, &expected)) in found.iter().zip(expected).enumerate() {
-        let (off, bound) = ((found - expected).abs(), bound(expected));
-        assert!(off <= bound, "{}: {found} for {expected} at {n}, off by {off:e} > {bound:e}", case["region"]);
+        let (error, bound) = ((found - expected).abs(), bound(expected));
+        assert!(error <= bound, "{}: {found} for {expected} at {n}, error {error:e} > {bound:e}", case["region"]);
     }
 }

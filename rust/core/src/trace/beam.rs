@@ -18,10 +18,12 @@ pub(crate) struct Query<'a> {
     pub(crate) filter: &'a dyn HitFilter,
 }
 
-/// Buffers for a packet in the frame of a placed instance, allocated when the first such instance is met.
+/// Buffers for the rays that enter a placed instance, allocated at the first such instance.
 pub(crate) struct BeamScratch {
     packet: Packet,
+    /// Rays in the instance's frame.
     rays: Vec<Ray>,
+    /// Number of each ray in the scene's packet.
     members: Vec<usize>,
 }
 
@@ -48,7 +50,7 @@ pub(crate) fn walk_instances<I: Isa>(
     }
 }
 
-/// Returns true if the packet's beam intersects a leaf of a set's trees or the box of a placed instance.
+/// Returns whether the packet's beam intersects a leaf of a set's trees or the box of a placed instance.
 #[inline(always)]
 pub(crate) fn touches<I: Isa>(isa: I, tlas: &Tlas, instances: &[Instance], packet: &mut Packet) -> bool {
     match sole_mesh(tlas, instances) {
@@ -89,7 +91,7 @@ impl<I: Isa> BeamLeaves<I> for AnyTriangles {
     }
 }
 
-/// Action at a leaf, given its box. Returns true if a hit was found.
+/// Action at a leaf, given the planes of its box. Returns true if a hit was found.
 trait BeamLeaves<I> {
     fn visit(&mut self, isa: I, leaf: u32, planes: &[f32; 6], packet: &mut Packet) -> bool;
 }
@@ -116,7 +118,7 @@ impl<I: Isa> BeamLeaves<I> for BeamInstances<'_> {
         scratch.members.clear();
         scratch.rays.clear();
         for start in (0..packet.count).step_by(I::Group::N) {
-            let mut mask = packet.enter(isa, start, planes);
+            let mut mask = packet.entering_rays(isa, start, planes);
             if mask == 0 {
                 continue;
             }
@@ -153,7 +155,7 @@ impl BeamInstances<'_> {
                 scene_rays[i] = query.rays[member];
             }
             let inner = Query { rays: &scene_rays[..scratch.members.len()], filter: query.filter };
-            scratch.packet.shorten(isa);
+            scratch.packet.update_limit(isa);
             let before = scratch.packet.changes;
             walk(isa, &bvh.wide, &mut scratch.packet, &mut BeamTriangles { bvh, instance: number, query: &inner });
             if scratch.packet.changes == before {
@@ -166,7 +168,7 @@ impl BeamInstances<'_> {
         }
         for (i, &member) in scratch.members.iter().enumerate() {
             let ray = &query.rays[member];
-            let mut search = Search { ray, filter: query.filter, best: packet.hit(member), any: false };
+            let mut search = Search { ray, filter: query.filter, best: packet.hit(member), stops_at_first: false };
             let local = Local { floor: scratch.packet.floor[i], ..Local::new(&scratch.rays[i], &bvh.bounds) };
             single::walk_mesh(isa, bvh, &local, number, &mut search);
             if search.best != packet.hit(member) {
@@ -187,7 +189,7 @@ impl<I: Isa> BeamLeaves<I> for BeamTriangles<'_> {
     fn visit(&mut self, isa: I, leaf: u32, planes: &[f32; 6], packet: &mut Packet) -> bool {
         let mut has_hit = false;
         for start in (0..packet.count).step_by(I::Group::N) {
-            let mask = packet.enter(isa, start, planes);
+            let mask = packet.entering_rays(isa, start, planes);
             if mask != 0 {
                 for block in self.bvh.leaf(leaf) {
                     has_hit |= self.test_block(isa, block, packet, start, mask);
@@ -275,7 +277,7 @@ impl BeamTriangles<'_> {
         self.accept_slow(packet, start, mask, (face, hits), &lanes)
     }
 
-    /// Slow path, for ties and filters.
+    /// Same for ties and filters, one lane after the other.
     #[inline(never)]
     fn accept_slow(
         &self,
@@ -312,7 +314,7 @@ struct Entry {
     box_index: u32,
 }
 
-/// Visits leaves whose boxes the beam intersects, nearest leaf first, until all its rays have hit something.
+/// Visits leaves whose boxes the beam intersects, nearest leaf first, up to the packet's limit.
 #[inline(always)]
 fn walk<I: Isa>(isa: I, tree: &Wide, packet: &mut Packet, leaves: &mut impl BeamLeaves<I>) {
     if tree.nodes.is_empty() {
@@ -377,7 +379,7 @@ fn walk<I: Isa>(isa: I, tree: &Wide, packet: &mut Packet, leaves: &mut impl Beam
                 *plane = row[slot];
             }
             if leaves.visit(isa, entry.child, &planes, packet) {
-                packet.shorten(isa);
+                packet.update_limit(isa);
             }
         }
     }

@@ -37,7 +37,7 @@ impl Points<'_> {
         }
     }
 
-    /// Fails if rows are invalid; the error states their number and the first one.
+    /// Fails if rows are invalid; the error states their number and the index of the first.
     fn check(&self, argument: &'static str, expected: &str, is_valid: impl Fn(DVec3) -> bool + Sync) -> Result<()> {
         let count_and_first = |start: usize| {
             let rows = start..(start + TILE).min(self.len());
@@ -48,7 +48,7 @@ impl Points<'_> {
         let invalid = starts.into_par_iter().filter_map(count_and_first).reduce_with(|a, b| (a.0 + b.0, a.1.min(b.1)));
         invalid.map_or(Ok(()), |(count, first)| {
             let rows = if count == 1 { "row" } else { "rows" };
-            Err(Error::value(argument, expected, format!("{count} {rows} without, the first at index {first}")))
+            Err(Error::value(argument, expected, format!("{count} other {rows}, the first at index {first}")))
         })
     }
 
@@ -83,7 +83,7 @@ pub fn cast(
 ) -> Result<Hits> {
     let count = directions.len();
     let is_paired = origins.len() == 1 || origins.len() == count;
-    ensure!(is_paired, "origins", format!("one row, or {count} as directions has"), origins.len());
+    ensure!(is_paired, "origins", format!("one row, or one for each of {count} directions"), origins.len());
     ensure!(t_max > 0.0, "t_max", "a positive number of metres", t_max);
     origins.check_reach("origins", scene)?;
     directions.check("directions", "finite coordinates", DVec3::is_finite)?;
@@ -127,7 +127,7 @@ pub fn cast(
     Ok(hits)
 }
 
-/// Returns the unit direction, also for directions whose squares overflow or underflow.
+/// Normalises a direction, even if its square overflows or underflows.
 #[inline(always)]
 fn unit(direction: DVec3) -> DVec3 {
     let square = direction.length_squared();

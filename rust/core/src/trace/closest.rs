@@ -17,13 +17,12 @@ pub struct Closest {
     pub square: f64,
 }
 
-/// Squared sine below which a triangle is treated as its edges: no point of it is farther from them than 10⁻¹³ of their
-/// length.
+/// Squared sine of an angle below which only a triangle's edges count: all its points are within 10⁻¹³ of their length.
 const SLIVER: f64 = 1e-26;
 
-/// Returns the weight of the second end, and the squared distance, of an edge's nearest point.
+/// Returns the nearest point of an edge: the weight of the second end, and the squared distance.
 #[inline(always)]
-fn on_edge(a: DVec3, b: DVec3) -> (f64, f64) {
+fn closest_on_edge(a: DVec3, b: DVec3) -> (f64, f64) {
     let edge = b - a;
     let squared_length = edge.length_squared();
     let along = -a.dot(edge);
@@ -34,14 +33,14 @@ fn on_edge(a: DVec3, b: DVec3) -> (f64, f64) {
     } else {
         along / squared_length
     };
-    // Measured from the nearer end, so that a distant end costs no precision.
-    let from = if t > 0.5 { b - edge * (1.0 - t) } else { a + edge * t };
-    (t, from.length_squared())
+    // Computed from the nearer end, because a distant end would cost precision.
+    let point = if t > 0.5 { b - edge * (1.0 - t) } else { a + edge * t };
+    (t, point.length_squared())
 }
 
 /// Returns weights and squared distance in the plane, if the foot of the perpendicular lies in the triangle.
 #[inline(always)]
-fn on_plane([a, b, c]: [DVec3; 3]) -> Option<([f64; 2], f64)> {
+fn closest_on_plane([a, b, c]: [DVec3; 3]) -> Option<([f64; 2], f64)> {
     let (ab, ac) = (b - a, c - a);
     let normal = ab.cross(ac);
     let squared_normal = normal.length_squared();
@@ -59,25 +58,25 @@ fn on_plane([a, b, c]: [DVec3; 3]) -> Option<([f64; 2], f64)> {
 /// Returns the squared distance of a triangle from the origin.
 #[inline(always)]
 pub(super) fn squared_distance(corners: [DVec3; 3]) -> f64 {
-    match on_plane(corners) {
+    match closest_on_plane(corners) {
         Some((_, squared)) => squared,
         None => {
             let [a, b, c] = corners;
-            on_edge(a, b).1.min(on_edge(b, c).1).min(on_edge(c, a).1)
+            closest_on_edge(a, b).1.min(closest_on_edge(b, c).1).min(closest_on_edge(c, a).1)
         }
     }
 }
 
 /// Returns the point of a triangle nearest to the origin.
 pub fn closest(corners: [DVec3; 3]) -> Closest {
-    if let Some(([u, v], square)) = on_plane(corners) {
+    if let Some(([u, v], square)) = closest_on_plane(corners) {
         return Closest { u, v, square };
     }
     let [a, b, c] = corners;
-    let edges = [on_edge(a, b), on_edge(b, c), on_edge(c, a)];
-    let least = (1..3).fold(0, |least, edge| if edges[edge].1 < edges[least].1 { edge } else { least });
-    let (t, square) = edges[least];
-    let (u, v) = match least {
+    let edges = [closest_on_edge(a, b), closest_on_edge(b, c), closest_on_edge(c, a)];
+    let nearest = (1..3).fold(0, |nearest, edge| if edges[edge].1 < edges[nearest].1 { edge } else { nearest });
+    let (t, square) = edges[nearest];
+    let (u, v) = match nearest {
         0 => (t, 0.0),
         1 => (1.0 - t, t),
         _ => (0.0, 1.0 - t),

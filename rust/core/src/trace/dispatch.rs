@@ -17,10 +17,10 @@ use crate::scene::{Instance, Scene};
 pub struct LayerTree(Tlas);
 
 impl LayerTree {
-    /// Builds the tree of the instances whose numbers fulfil a condition.
-    pub fn new(scene: &Scene, holds: impl Fn(usize) -> bool, progress: &Progress) -> Result<Self> {
+    /// Builds the tree of the static instances whose numbers fulfil a condition.
+    pub fn new(scene: &Scene, is_included: impl Fn(usize) -> bool, progress: &Progress) -> Result<Self> {
         let instances = scene.standing.instances().iter().enumerate();
-        let boxes = instances.map(|(number, instance)| if holds(number) { instance.bounds } else { Aabb::EMPTY });
+        let boxes = instances.map(|(number, instance)| if is_included(number) { instance.bounds } else { Aabb::EMPTY });
         Ok(Self(Tlas::build(&boxes.collect::<Vec<_>>(), progress)?))
     }
 }
@@ -33,10 +33,10 @@ pub struct Layer<'a> {
     pub filter: Box<dyn HitFilter + 'a>,
 }
 
-/// Hits of a packet after a layer.
+/// Hits of a packet in a layer and all earlier ones.
 #[derive(Clone, Debug)]
 pub struct LayerHits {
-    /// Nearest hit of each ray in this layer and all earlier ones; not written if no hit has changed.
+    /// Nearest hit of each ray; not written if no hit has changed.
     pub hits: [Hit; RAYS],
     /// Bit mask of the rays whose hit differs from the previous layer's.
     pub changed: u64,
@@ -70,8 +70,8 @@ pub fn closest_hits(scene: &Scene, rays: &[Ray], filter: &dyn HitFilter, hits: &
     closest_hits_with(InstructionSet::current(), scene, rays, filter, hits);
 }
 
-/// Writes the nearest hit of each ray, traced alone. This is faster than packets for incoherent rays, and where so
-/// many triangles lie between neighbouring rays that packets share few nodes of the tree.
+/// Writes the nearest hit of each ray without packets. This is faster if rays are incoherent, or if so many triangles
+/// lie between neighbouring rays that a packet's rays visit different nodes.
 pub fn closest_hits_apart(scene: &Scene, rays: &[Ray], filter: &dyn HitFilter, hits: &mut [Hit]) {
     closest_hits_apart_with(InstructionSet::current(), scene, rays, filter, hits);
 }
@@ -79,8 +79,8 @@ pub fn closest_hits_apart(scene: &Scene, rays: &[Ray], filter: &dyn HitFilter, h
 /// Writes for each layer the nearest hits of a packet among the surfaces of that layer and all earlier ones. A packet
 /// has at most `RAYS` rays. The scene's moving instances are in no layer.
 ///
-/// The best hits of one layer bound the search in the next, so a layer of distant surfaces should come first if all
-/// hits are wanted. The hits equal, bit for bit, those of `closest_hits` in a scene without the other faces.
+/// The best hits of one layer bound the search in the next, so the hits of distant surfaces are found only if their
+/// layer comes first. The hits equal, bit for bit, those of `closest_hits` in a scene without the other faces.
 pub fn closest_hits_by_layer(scene: &Scene, rays: &[Ray], layers: &[Layer<'_>], hits: &mut [LayerHits]) {
     closest_hits_by_layer_with(InstructionSet::current(), scene, rays, layers, hits);
 }
@@ -127,34 +127,34 @@ macro_rules! kernels {
 }
 
 kernels!(closest_hits_with, closest, &dyn HitFilter, Hit);
-kernels!(closest_hits_apart_with, one_by_one, &dyn HitFilter, Hit);
-kernels!(closest_hits_by_layer_with, by_layer, &[Layer<'_>], LayerHits);
-kernels!(any_hits_with, any, &dyn HitFilter, bool);
+kernels!(closest_hits_apart_with, closest_apart, &dyn HitFilter, Hit);
+kernels!(closest_hits_by_layer_with, closest_by_layer, &[Layer<'_>], LayerHits);
+kernels!(any_hits_with, any_hit, &dyn HitFilter, bool);
 kernels!(beam_touches_with, touches, &dyn HitFilter, bool);
 
 #[inline(always)]
 fn closest<I: Isa>(isa: I, scene: &Scene, rays: &[Ray], filter: &dyn HitFilter, hits: &mut [Hit]) {
     if rays.len() < MIN_PACKET {
-        return one_by_one(isa, scene, rays, filter, hits);
+        return closest_apart(isa, scene, rays, filter, hits);
     }
     let (mut packet, mut scratch) = (Packet::new(), None);
     for (rays, hits) in rays.chunks(RAYS).zip(hits.chunks_mut(RAYS)) {
         let query = Query { rays, filter };
         packet.clear();
         let mut is_beam = false;
-        for (tlas, instances, first) in numbered(scene) {
-            // Both sets have the same rays, so either both make a beam or neither does.
+        for (tlas, instances, first) in numbered_sets(scene) {
+            // Whether rays form a beam does not depend on the set.
             is_beam = packet.fill(isa, rays, &tlas.bounds);
             if !is_beam {
                 break;
             }
-            packet.shorten(isa);
+            packet.update_limit(isa);
             beam::walk_instances(isa, tlas, (instances, first), &query, &mut packet, &mut scratch);
         }
         if is_beam {
             hits.iter_mut().enumerate().for_each(|(i, hit)| *hit = packet.hit(i));
         } else {
-            one_by_one(isa, scene, rays, filter, hits);
+            closest_apart(isa, scene, rays, filter, hits);
         }
     }
 }
@@ -164,11 +164,11 @@ fn touches<I: Isa>(isa: I, scene: &Scene, rays: &[Ray], _filter: &dyn HitFilter,
     let mut packet = Packet::new();
     packet.clear();
     // A loop, because a closure would be compiled without the instruction set.
-    for (tlas, instances, _) in numbered(scene) {
+    for (tlas, instances, _) in numbered_sets(scene) {
         if !packet.fill(isa, rays, &tlas.bounds) {
             return;
         }
-        packet.shorten(isa);
+        packet.update_limit(isa);
         if beam::touches(isa, tlas, instances, &mut packet) {
             return;
         }
@@ -178,30 +178,30 @@ fn touches<I: Isa>(isa: I, scene: &Scene, rays: &[Ray], _filter: &dyn HitFilter,
 
 /// Returns the trees of the non-empty sets of instances, each with its instances and the number of the first.
 #[inline(always)]
-fn numbered(scene: &Scene) -> impl Iterator<Item = (&Tlas, &[Instance], u32)> {
+fn numbered_sets(scene: &Scene) -> impl Iterator<Item = (&Tlas, &[Instance], u32)> {
     let moving = scene.standing.instances().len() as u32;
     let sets = [(&scene.standing, 0), (&scene.moving, moving)];
-    let filled = sets.into_iter().filter(|(set, _)| !set.instances().is_empty());
-    filled.filter_map(|(set, first)| Some((set.tlas()?, set.instances(), first)))
+    let occupied = sets.into_iter().filter(|(set, _)| !set.instances().is_empty());
+    occupied.filter_map(|(set, first)| Some((set.tlas()?, set.instances(), first)))
 }
 
 #[inline(always)]
-fn one_by_one<I: Isa>(isa: I, scene: &Scene, rays: &[Ray], filter: &dyn HitFilter, hits: &mut [Hit]) {
+fn closest_apart<I: Isa>(isa: I, scene: &Scene, rays: &[Ray], filter: &dyn HitFilter, hits: &mut [Hit]) {
     for (ray, hit) in rays.iter().zip(hits) {
-        *hit = trace(isa, scene, Search { ray, filter, best: Hit::MISS, any: false });
+        *hit = trace(isa, scene, Search { ray, filter, best: Hit::MISS, stops_at_first: false });
     }
 }
 
 #[inline(always)]
-fn any<I: Isa>(isa: I, scene: &Scene, rays: &[Ray], filter: &dyn HitFilter, hits: &mut [bool]) {
+fn any_hit<I: Isa>(isa: I, scene: &Scene, rays: &[Ray], filter: &dyn HitFilter, hits: &mut [bool]) {
     for (ray, hit) in rays.iter().zip(hits) {
-        *hit = !trace(isa, scene, Search { ray, filter, best: Hit::MISS, any: true }).is_miss();
+        *hit = !trace(isa, scene, Search { ray, filter, best: Hit::MISS, stops_at_first: true }).is_miss();
     }
 }
 
 #[inline(always)]
 fn trace<I: Isa>(isa: I, scene: &Scene, mut search: Search<'_>) -> Hit {
-    for (tlas, instances, first) in numbered(scene) {
+    for (tlas, instances, first) in numbered_sets(scene) {
         let local = Local::new(search.ray, &tlas.bounds);
         single::walk_instances(isa, tlas, (instances, first), &local, &mut search);
         if search.is_done() {
@@ -212,7 +212,7 @@ fn trace<I: Isa>(isa: I, scene: &Scene, mut search: Search<'_>) -> Hit {
 }
 
 #[inline(always)]
-fn by_layer<I: Isa>(isa: I, scene: &Scene, rays: &[Ray], layers: &[Layer<'_>], out: &mut [LayerHits]) {
+fn closest_by_layer<I: Isa>(isa: I, scene: &Scene, rays: &[Ray], layers: &[Layer<'_>], out: &mut [LayerHits]) {
     out.iter_mut().for_each(|out| out.changed = 0);
     let instances = scene.standing.instances();
     let Some(tlas) = scene.standing.tlas().filter(|_| !instances.is_empty()) else { return };
@@ -220,7 +220,7 @@ fn by_layer<I: Isa>(isa: I, scene: &Scene, rays: &[Ray], layers: &[Layer<'_>], o
     let (mut packet, mut scratch) = (Packet::new(), None);
     packet.clear();
     if rays.len() >= MIN_PACKET && packet.fill(isa, rays, &tlas.bounds) {
-        packet.shorten(isa);
+        packet.update_limit(isa);
         for (layer, out) in layers.iter().zip(out) {
             let before = packet.changes;
             let query = Query { rays, filter: &*layer.filter };
@@ -234,7 +234,7 @@ fn by_layer<I: Isa>(isa: I, scene: &Scene, rays: &[Ray], layers: &[Layer<'_>], o
     for (layer, out) in layers.iter().zip(out) {
         let mut hits = last;
         for (ray, best) in rays.iter().zip(&mut hits) {
-            let mut search = Search { ray, filter: &*layer.filter, best: *best, any: false };
+            let mut search = Search { ray, filter: &*layer.filter, best: *best, stops_at_first: false };
             let local = Local::new(ray, &tlas.bounds);
             single::walk_instances(isa, &layer.tree.0, (instances, 0), &local, &mut search);
             *best = search.best;

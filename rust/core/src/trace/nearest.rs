@@ -1,7 +1,7 @@
 //! Nearest points on a scene's surface: branch and bound over both levels of trees.
 //!
-//! Boxes are compared by float32 lower bounds of their distances. Triangle distances are computed in float64 from the
-//! float32 corners, over the plane and the three edges, so slivers need no special case.
+//! Boxes are culled by float32 lower bounds of their distances. Distances of triangles are computed in float64 from the
+//! float32 corners, as the minimum over the plane and the three edges, so slivers need no special case.
 
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
@@ -29,7 +29,7 @@ pub struct Nearest {
 pub fn nearest(scene: &Scene, points: Points<'_>, facing: Option<&[[f32; 3]]>, progress: &Progress) -> Result<Nearest> {
     let count = points.len();
     let facing_count = facing.map_or(count, <[_]>::len);
-    ensure!(facing_count == count, "facing", format!("{count} rows as points has"), facing_count);
+    ensure!(facing_count == count, "facing", format!("one row for each of {count} points"), facing_count);
     points.check_reach("points", scene)?;
     scene.build(progress)?;
     progress.expect(count as u64);
@@ -77,7 +77,8 @@ struct Candidate {
 impl Candidate {
     const NOTHING: Self = Self { square: f64::INFINITY, instance: u32::MAX, face: u32::MAX };
 
-    /// Ties go to the lower (instance, face), so the result depends neither on the tree nor on the initial bound.
+    /// Returns whether this triangle is nearer. Ties go to the lower (instance, face), so the result depends neither on
+    /// the tree nor on the initial bound.
     fn is_before(&self, other: &Self) -> bool {
         self.square < other.square
             || (self.square == other.square && (self.instance, self.face) < (other.instance, other.face))
@@ -91,10 +92,10 @@ struct NearestSearch {
     best: Candidate,
 }
 
-/// Stack of boxes still to be opened: lower bound of the squared distance, and reference.
+/// Stack of pending boxes: lower bound of the squared distance, and child reference.
 type Stack = Vec<(f32, u32)>;
 
-/// Frame of a tree's boxes: the query point in it, and how its distances relate to those in scene space.
+/// Query point in the frame of a tree's boxes, and the relation of the frame's distances to those in scene space.
 struct TreeFrame {
     point: Vec3,
     /// Maximum error, in metres, that rounding the point to float32 adds to a distance.
@@ -129,8 +130,7 @@ impl TreeFrame {
 
 impl NearestSearch {
     fn run(mut self, scene: &Scene, start: Candidate, stack: &mut Stack) -> Candidate {
-        // Neighbours in the list are usually close together, so the previous point's triangle gives a good first
-        // bound.
+        // Successive points are usually close together, so the previous point's triangle gives a good first bound.
         if start.instance != u32::MAX {
             self.try_triangle(scene.instance(start.instance).corners(start.face), start.instance, start.face);
         }
@@ -154,8 +154,8 @@ impl NearestSearch {
         let frame = if instance.in_place {
             TreeFrame::new(self.point, 1.0)
         } else {
-            // The minimum stretch of a map is the reciprocal of the maximum stretch of its inverse, which this norm
-            // bounds.
+            // The minimum stretch of a transform is the reciprocal of the maximum stretch of its inverse, of which the
+            // Frobenius norm is an upper bound.
             let inverse = instance.to_object.matrix3;
             let columns = [inverse.x_axis, inverse.y_axis, inverse.z_axis];
             let norm: f64 = columns.iter().map(|column| column.length_squared()).sum();

@@ -3,7 +3,7 @@
 //! After Overbeck, Ramamoorthi, Mark: Large ray packets for real-time Whitted ray tracing, 2008, and Boulos, Wald,
 //! Benthin: Adaptive ray packet reordering, 2008. Inner boxes of the tree are tested against the beam, eight boxes at
 //! a time; single rays are tested only at leaves. The beam test accepts every box that one of its rays would accept,
-//! and values of a ray are computed as in `single`, so both give the same bits.
+//! and values of rays are computed with the arithmetic of `single`, so packets and single rays give the same bits.
 
 use bytemuck::Zeroable;
 
@@ -19,7 +19,7 @@ use crate::bvh::Node;
 pub(crate) const RAYS: usize = 64;
 /// Minimum number of rays for which a packet saves time; fewer are traced one by one.
 pub(super) const MIN_PACKET: usize = 8;
-/// Maximum spread of slopes relative to the main axis at which rays still form a beam.
+/// Maximum difference of the slopes (to the main axis) of rays that form a beam.
 const MAX_SLOPE_SPREAD: f32 = 0.35;
 /// Relative widening of a beam, far above the rounding difference between a ray's box test and the beam's.
 const BEAM_MARGIN: f32 = 16.0 * f32::EPSILON;
@@ -47,7 +47,7 @@ pub(crate) struct Packet {
     /// Distance along the main axis per unit of t.
     step: Row,
     pub(crate) best: Best,
-    /// Number of times best hits have been stored; an unchanged number means unchanged hits.
+    /// Number of times that best hits have been stored.
     pub(crate) changes: u32,
     beam: Beam,
 }
@@ -71,7 +71,7 @@ struct Beam {
     far_origin: [f32; 3],
     far_scale: [f32; 3],
     /// Axes on which ray directions have both signs: there both planes bound the entry and neither bounds the exit.
-    both_ways: [bool; 3],
+    has_both_signs: [bool; 3],
     /// Distance beyond which no ray can find a nearer hit.
     limit: f32,
 }
@@ -88,7 +88,7 @@ impl Packet {
         let Some(lead) = rays.first() else { return false };
         self.count = rays.len();
         self.axes = Shear::new(lead.direction).axes;
-        // The rows of near planes temporarily hold the origins, and the rows of their reciprocals the directions.
+        // `near_origin` and `near_scale` temporarily hold the origins and directions.
         for i in 0..RAYS {
             let ray = rays.get(i).unwrap_or(lead);
             for axis in 0..3 {
@@ -112,7 +112,7 @@ impl Packet {
                 return false;
             }
         }
-        self.aim(&extent.rows(), lead_backwards)
+        self.set_beam(&extent.rows(), lead_backwards)
     }
 
     /// Resets the best hits.
@@ -125,7 +125,8 @@ impl Packet {
         self.beam.limit = f32::INFINITY;
     }
 
-    /// Same arithmetic as `Shear::new` and `Slabs::new`, for a group of rays.
+    /// Fills a group of rays, with the arithmetic of `Shear::new` and `Slabs::new`. Returns false if their main axis or
+    /// its sign differs from the first ray's.
     #[inline(always)]
     fn fill_group<I: Isa>(
         &mut self,
@@ -164,9 +165,9 @@ impl Packet {
             reach = reach.max(low).max(high);
         }
         let error = reach.mul(I::Group::splat(isa, ERROR)).add(I::Group::splat(isa, f32::MIN_POSITIVE));
-        let least = size[main].mul(I::Group::splat(isa, MIN_SLOPE));
+        let min_size = size[main].mul(I::Group::splat(isa, MIN_SLOPE));
         for axis in 0..3 {
-            let scale = one.div(size[axis].max(least));
+            let scale = one.div(size[axis].max(min_size));
             let negative = d[axis].lt(zero);
             self.backwards[axis] |= u64::from(negative) << start;
             let scale = zero.sub(scale).select(negative, scale);
@@ -176,42 +177,41 @@ impl Packet {
             far.store(&mut self.far_origin[axis][start..]);
             scale.mul(I::Group::splat(isa, SHORTER)).store(&mut self.near_scale[axis][start..]);
             scale.mul(I::Group::splat(isa, LONGER)).store(&mut self.far_scale[axis][start..]);
-            extent.take(axis, near, far, d[axis].div(size[main]));
+            extent.extend(axis, near, far, d[axis].div(size[main]));
         }
         true
     }
 
     /// Computes the beam. Returns false if it would be too wide.
-    fn aim(&mut self, extent: &[[f32; 4]; 3], lead_backwards: bool) -> bool {
+    fn set_beam(&mut self, extent: &[[f32; 4]; 3], lead_backwards: bool) -> bool {
         let main = self.axes[2];
-        for (axis, &[low, high, least, greatest]) in extent.iter().enumerate() {
-            if greatest - least > MAX_SLOPE_SPREAD {
+        for (axis, &[low, high, min, max]) in extent.iter().enumerate() {
+            if max - min > MAX_SLOPE_SPREAD {
                 return false;
             }
-            let (least, greatest) = if axis == main {
+            let (min, max) = if axis == main {
                 if lead_backwards { (-1.0, -1.0) } else { (1.0, 1.0) }
             } else {
-                (least - least.abs() * BEAM_MARGIN, greatest + greatest.abs() * BEAM_MARGIN)
+                (min - min.abs() * BEAM_MARGIN, max + max.abs() * BEAM_MARGIN)
             };
             let beam = &mut self.beam;
-            beam.both_ways[axis] = least < MIN_SLOPE && greatest > -MIN_SLOPE;
-            let backwards = !beam.both_ways[axis] && greatest < 0.0;
+            beam.has_both_signs[axis] = min < MIN_SLOPE && max > -MIN_SLOPE;
+            let backwards = !beam.has_both_signs[axis] && max < 0.0;
             beam.first[axis] = 2 * axis + usize::from(backwards);
             let (shorter, longer) = (1.0 - BEAM_MARGIN, 1.0 + BEAM_MARGIN);
             (beam.near_origin[axis], beam.far_origin[axis]) = if backwards { (low, high) } else { (high, low) };
-            (beam.near_scale[axis], beam.far_scale[axis]) = if beam.both_ways[axis] {
-                (shorter / greatest.max(MIN_SLOPE), shorter / least.min(-MIN_SLOPE))
+            (beam.near_scale[axis], beam.far_scale[axis]) = if beam.has_both_signs[axis] {
+                (shorter / max.max(MIN_SLOPE), shorter / min.min(-MIN_SLOPE))
             } else if backwards {
-                (shorter / least, longer / greatest)
+                (shorter / min, longer / max)
             } else {
-                (shorter / greatest, longer / least)
+                (shorter / max, longer / min)
             };
         }
         true
     }
 
-    /// Returns a mask of a node's children that some ray may need to visit, and the distances at which the beam enters
-    /// them.
+    /// Returns a mask of the children of a node that the beam enters, and the distances at which it does.
     #[inline(always)]
     pub(crate) fn intersect_node<I: Isa>(&self, isa: I, node: &Node) -> (u32, I::Eight) {
         let beam = &self.beam;
@@ -224,7 +224,7 @@ impl Packet {
             near = near.max(enter.mul(I::Eight::splat(isa, beam.near_scale[axis])));
             let leave = last.sub(I::Eight::splat(isa, beam.far_origin[axis]));
             let leave = leave.mul(I::Eight::splat(isa, beam.far_scale[axis]));
-            if beam.both_ways[axis] {
+            if beam.has_both_signs[axis] {
                 near = near.max(leave);
             } else {
                 far = far.min(leave);
@@ -233,7 +233,7 @@ impl Packet {
         (near.le(far), near)
     }
 
-    /// Ends the traversal: no box is visited any more.
+    /// Ends the traversal.
     #[inline(always)]
     pub(crate) fn stop(&mut self) {
         self.beam.limit = f32::NEG_INFINITY;
@@ -253,7 +253,7 @@ impl Packet {
 
     /// Returns a mask of the rays of a group that enter a box within their segments and not beyond their best hits.
     #[inline(always)]
-    pub(crate) fn enter<I: Isa>(&self, isa: I, start: usize, planes: &[f32; 6]) -> u32 {
+    pub(crate) fn entering_rays<I: Isa>(&self, isa: I, start: usize, planes: &[f32; 6]) -> u32 {
         let (near, far) = self.slabs(isa, start, planes);
         let load = Loader(isa);
         let near = near.max(load.row(&self.t_min, start));
@@ -261,8 +261,7 @@ impl Packet {
         near.le(far.min(limit))
     }
 
-    /// Returns the distances at which a group's rays enter and leave a box, by the same arithmetic as
-    /// `Slabs::intersect`.
+    /// Returns the distances at which a group's rays enter and leave a box, with the arithmetic of `Slabs::intersect`.
     #[inline(always)]
     pub(crate) fn slabs<I: Isa>(&self, isa: I, start: usize, planes: &[f32; 6]) -> (I::Group, I::Group) {
         let (x, y, z) =
@@ -275,7 +274,7 @@ impl Packet {
         let low = I::Group::splat(isa, planes[2 * axis]);
         let high = I::Group::splat(isa, planes[2 * axis + 1]);
         let backwards = (self.backwards[axis] >> start) as u32 & (u32::MAX >> (32 - I::Group::N));
-        let (first, last) = if self.beam.both_ways[axis] {
+        let (first, last) = if self.beam.has_both_signs[axis] {
             (high.select(backwards, low), low.select(backwards, high))
         } else if backwards != 0 {
             (high, low)
@@ -288,9 +287,9 @@ impl Packet {
         (near, far)
     }
 
-    /// Recomputes the limit of the beam after hits.
+    /// Sets the limit of the beam to the farthest best hit or end of a segment.
     #[inline(always)]
-    pub(crate) fn shorten<I: Isa>(&mut self, isa: I) {
+    pub(crate) fn update_limit<I: Isa>(&mut self, isa: I) {
         let load = Loader(isa);
         let mut farthest = I::Group::splat(isa, 0.0);
         for start in (0..self.count).step_by(I::Group::N) {
@@ -330,22 +329,23 @@ impl<I: Isa> Extent<I> {
     }
 
     #[inline(always)]
-    fn take(&mut self, axis: usize, near: I::Group, far: I::Group, slope: I::Group) {
-        let [low, high, least, greatest] = self.0[axis];
-        self.0[axis] = [low.min(near).min(far), high.max(near).max(far), least.min(slope), greatest.max(slope)];
+    fn extend(&mut self, axis: usize, near: I::Group, far: I::Group, slope: I::Group) {
+        let [low, high, min, max] = self.0[axis];
+        self.0[axis] = [low.min(near).min(far), high.max(near).max(far), min.min(slope), max.max(slope)];
     }
 
+    /// Returns the extremes over all lanes.
     #[inline(always)]
     fn rows(&self) -> [[f32; 4]; 3] {
         let mut rows = [[0.0; 4]; 3];
         let mut lanes = [0.0f32; 16];
-        for (row, sides) in rows.iter_mut().zip(&self.0) {
-            for (side, (slot, extreme)) in row.iter_mut().zip(sides).enumerate() {
+        for (row, extremes) in rows.iter_mut().zip(&self.0) {
+            for (number, (slot, extreme)) in row.iter_mut().zip(extremes).enumerate() {
                 extreme.store(&mut lanes);
                 let mut extreme = lanes[0];
                 for &x in &lanes[1..I::Group::N] {
-                    let is_further = if side & 1 == 0 { x < extreme } else { x > extreme };
-                    extreme = if is_further { x } else { extreme };
+                    let is_beyond = if number & 1 == 0 { x < extreme } else { x > extreme };
+                    extreme = if is_beyond { x } else { extreme };
                 }
                 *slot = extreme;
             }

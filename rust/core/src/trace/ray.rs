@@ -4,7 +4,7 @@ use glam::Vec3;
 
 use crate::scene::Scene;
 
-/// A segment of a ray in scene space. The direction may have any length; `t` is in units of it.
+/// A segment of a ray in scene space. The direction may have any length, and parameters `t` are multiples of it.
 #[derive(Clone, Copy, Debug)]
 pub struct Ray {
     /// Start relative to the scene's origin; coordinates are at most `base::REACH`.
@@ -46,13 +46,14 @@ impl Hit {
         self.instance == u32::MAX
     }
 
-    /// Ties go to the lower (instance, face), so the result depends neither on the tree nor on the order of visits.
+    /// Returns whether this hit is nearer. Ties go to the lower (instance, face), so the result depends neither on the
+    /// tree nor on the order of visits.
     pub(super) fn is_before(&self, other: &Self) -> bool {
         self.t < other.t || (self.t == other.t && (self.instance, self.face) < (other.instance, other.face))
     }
 }
 
-/// Subset of the hits on a face that count, independent of the ray.
+/// Hits on a face that count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FaceHits {
     /// No hit counts.
@@ -65,8 +66,8 @@ pub enum FaceHits {
 
 /// Filter of intersections, for cut-out materials and for pixels split at a radius.
 ///
-/// The kernels take a trait object: they call it only for triangles that a ray crosses before its best hit, and a copy
-/// of the kernels for each filter would take half of the crate's compile time.
+/// The kernels take a trait object, because they call it only for triangles that a ray crosses before its best hit, and
+/// because a copy of the kernels for each filter would take half of the crate's compile time.
 pub trait HitFilter: Sync {
     /// Returns the hits on a face that count. Called before `accepts`, once for many rays.
     fn face_hits(&self, _instance: u32, _face: u32) -> FaceHits {
@@ -88,9 +89,9 @@ impl HitFilter for All {
     }
 }
 
-/// Rejects hits in the holes of cut-out materials; `inner` decides about all other hits.
+/// Filter that rejects hits in the holes of cut-out materials; `inner` decides about all other hits.
 pub struct AlphaFilter<'a, F> {
-    /// Scene whose materials are looked up; `None` if no material has holes.
+    /// The scene; `None` if no material has holes.
     cutouts: Option<&'a Scene>,
     inner: F,
 }

@@ -1,4 +1,4 @@
-//! Test whether a box contains geometry, used to skip empty regions.
+//! Test whether a box may contain geometry, used to skip empty regions.
 
 use crate::base::Aabb;
 use crate::bvh::{LEAF, NO_CHILD, Node, WIDTH, Wide};
@@ -26,7 +26,7 @@ fn instance_touches(instance: &Instance, region: &Aabb) -> bool {
     instance.mesh.bvh().is_some_and(|bvh| any_leaf(&bvh.wide, 0, region, &|_| true))
 }
 
-/// Returns whether a leaf below a node satisfies a condition and its box overlaps the region.
+/// Returns whether some leaf below a node overlaps the region with its box and satisfies a condition.
 fn any_leaf(wide: &Wide, node: u32, region: &Aabb, condition: &impl Fn(u32) -> bool) -> bool {
     let Some(node) = wide.nodes.get(node as usize) else { return false };
     let inside = overlaps(node, region);
@@ -56,9 +56,9 @@ mod tests {
     use glam::{DAffine3, DVec3, Vec3};
     use proptest::prelude::*;
 
-    fn instance(at: DVec3, points: &[[f32; 3]]) -> Instance {
+    fn instance(position: DVec3, points: &[[f32; 3]]) -> Instance {
         let mesh = Mesh::of_triangles(points.as_chunks().0, FaceMap::Uniform(0));
-        Instance::new(mesh, DAffine3::from_translation(at), None).unwrap()
+        Instance::new(mesh, DAffine3::from_translation(position), None).unwrap()
     }
 
     proptest! {
@@ -87,9 +87,9 @@ mod tests {
         let far = [[9.0, 9.0, 9.0], [9.5, 9.0, 9.0], [9.0, 9.5, 9.0]];
         let scene = Scene::of_instances(vec![instance(DVec3::ZERO, &corner), instance(DVec3::X, &far)], vec![]);
         scene.build(&Progress::new()).unwrap();
-        let at = |p: f32| Aabb { min: Vec3::splat(p), max: Vec3::splat(p + 0.5) };
-        assert!(touches(&scene, &at(0.0)));
-        assert!(!touches(&scene, &at(4.0)));
-        assert!(!touches(&Scene::of_instances(vec![], vec![]), &at(0.0)));
+        let cube_at = |p: f32| Aabb { min: Vec3::splat(p), max: Vec3::splat(p + 0.5) };
+        assert!(touches(&scene, &cube_at(0.0)));
+        assert!(!touches(&scene, &cube_at(4.0)));
+        assert!(!touches(&Scene::of_instances(vec![], vec![]), &cube_at(0.0)));
     }
 }

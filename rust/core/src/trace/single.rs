@@ -20,8 +20,8 @@ pub(crate) struct Local {
     pub(crate) slabs: Slabs,
     pub(crate) t_min: f32,
     pub(crate) t_max: f32,
-    /// Parameter at which the ray enters the instance's box in scene space. Hits before it do not count, so that
-    /// culling by the box agrees with every hit below it.
+    /// Parameter at which the ray enters the instance's box in scene space. Nearer hits are moved to it, so that they
+    /// agree with culling by the box.
     pub(crate) floor: f32,
 }
 
@@ -51,24 +51,24 @@ impl Ray {
     }
 }
 
-/// State of one ray's search: its segment, its filter and the best hit so far.
+/// State of one ray's search.
 pub(crate) struct Search<'a> {
     /// The ray in scene space.
     pub(crate) ray: &'a Ray,
     pub(crate) filter: &'a dyn HitFilter,
     pub(crate) best: Hit,
-    /// Whether the search ends at the first hit.
-    pub(crate) any: bool,
+    /// Whether any hit ends the search.
+    pub(crate) stops_at_first: bool,
 }
 
 impl Search<'_> {
     #[inline(always)]
     pub(crate) fn is_done(&self) -> bool {
-        self.any && !self.best.is_miss()
+        self.stops_at_first && !self.best.is_miss()
     }
 
     #[inline(always)]
-    fn counts(&self, candidate: &Hit) -> bool {
+    fn accepts(&self, candidate: &Hit) -> bool {
         match self.filter.face_hits(candidate.instance, candidate.face) {
             FaceHits::None => false,
             FaceHits::Accepted => self.filter.accepts(self.ray, candidate),
@@ -77,7 +77,7 @@ impl Search<'_> {
     }
 }
 
-/// Returns the tree of a mesh if the tree over instances holds it alone, unplaced.
+/// Returns the tree of the mesh if a set has a single instance, in place.
 #[inline(always)]
 pub(super) fn sole_mesh<'a>(tlas: &Tlas, instances: &'a [Instance]) -> Option<&'a Bvh> {
     let [instance] = instances else { return None };
@@ -205,7 +205,7 @@ fn walk<I: Isa>(isa: I, tree: &Wide, local: &Local, search: &mut Search<'_>, lea
                 }
                 let mut index = size;
                 while index > base {
-                    // SAFETY: this loop has written the entry, because `base <= at - 1 < size`.
+                    // SAFETY: this loop has written the entry, because `base <= index - 1 < size`.
                     let lower = unsafe { stack[index - 1].assume_init() };
                     if lower.0 >= entry.0 {
                         break;
@@ -263,7 +263,7 @@ fn test_block<I: Isa>(isa: I, block: &Block, local: &Local, instance: u32, searc
         mask &= mask - 1;
         let [t, u, v] = lanes.map(|row| row[lane]);
         let candidate = Hit { t, u, v, instance, face: block.faces[lane] };
-        if candidate.is_before(&search.best) && search.counts(&candidate) {
+        if candidate.is_before(&search.best) && search.accepts(&candidate) {
             search.best = candidate;
         }
     }

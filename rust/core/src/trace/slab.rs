@@ -21,8 +21,8 @@ pub(super) const ERROR: f32 = 2.0 * 5.0 / (1 << 24) as f32;
 /// Factors, towards zero and away from zero, that cover the rounding of a reciprocal and a product.
 pub(super) const SHORTER: f32 = 1.0 - 4.0 * f32::EPSILON;
 pub(super) const LONGER: f32 = 1.0 + 4.0 * f32::EPSILON;
-/// Minimum slope; smaller slopes are replaced by it. So no product with a plane's distance is NaN, and the ray's
-/// deviation over the whole box stays far below one rounding.
+/// Minimum slope, which replaces smaller ones, so that no product with a plane's distance is NaN. It moves a ray by far
+/// less than one rounding over the whole box.
 pub(super) const MIN_SLOPE: f32 = 1e-12;
 
 /// A ray prepared for all boxes below one root.
@@ -46,7 +46,7 @@ impl Slabs {
     pub(crate) fn new(origin: Vec3, direction: Vec3, bounds: &Aabb) -> Self {
         let reach = (bounds.min - origin).abs().max((bounds.max - origin).abs()).max_element();
         let error = reach * ERROR + f32::MIN_POSITIVE;
-        let least = direction.abs().max_element() * MIN_SLOPE;
+        let min_size = direction.abs().max_element() * MIN_SLOPE;
         let mut slabs = Self {
             first: [0; 3],
             near_origin: [0.0; 3],
@@ -56,7 +56,7 @@ impl Slabs {
         };
         for axis in 0..3 {
             let d = direction[axis];
-            let scale = 1.0 / d.abs().max(least);
+            let scale = 1.0 / d.abs().max(min_size);
             // −0.0 counts as positive: with the minimum slope, either sign accepts each box that touches the ray.
             let negative = d < 0.0;
             let sign = if negative { -1.0 } else { 1.0 };

@@ -64,8 +64,7 @@ fn bits(hit: &Hit) -> [u32; 5] {
     [hit.t.to_bits(), hit.u.to_bits(), hit.v.to_bits(), hit.instance, hit.face]
 }
 
-/// Traces in packets and one by one with every instruction set, asserts that all results have the same bits, and
-/// returns them.
+/// Traces in packets and one by one with every instruction set; asserts that all results have the same bits.
 fn trace_all_ways(scene: &Scene, rays: &[Ray], filter: &dyn HitFilter) -> Vec<Hit> {
     let mut expected = vec![Hit::MISS; rays.len()];
     for (ray, hit) in rays.iter().zip(&mut expected) {
@@ -95,8 +94,8 @@ fn trace_all_ways(scene: &Scene, rays: &[Ray], filter: &dyn HitFilter) -> Vec<Hi
 fn beam(origin: Vec3, direction: Vec3, width: f32) -> Vec<Ray> {
     let side = direction.any_orthonormal_vector();
     let up = direction.cross(side);
-    let at = |i: i32| (i as f32 - 4.5) / 10.0 * width;
-    (0..100).map(|i| ray(origin, direction + side * at(i % 10) + up * at(i / 10))).collect()
+    let offset = |i: i32| (i as f32 - 4.5) / 10.0 * width;
+    (0..100).map(|i| ray(origin, direction + side * offset(i % 10) + up * offset(i / 10))).collect()
 }
 
 fn placement() -> impl Strategy<Value = DAffine3> {
@@ -124,7 +123,7 @@ proptest! {
         let rays: Vec<Ray> = rays.into_iter().map(|(origin, direction)| ray(origin, direction)).collect();
         for (ray, found) in rays.iter().zip(trace_all_ways(&scene, &rays, &All)) {
             let expected = oracle(&triangles, ray);
-            // Corners within 2 m of the origin, 24 bits: a relative tolerance of 1e-4 leaves three digits for slivers.
+            // Corners are within 2 m of the origin, with 24 bits; a relative tolerance of 1e-4 allows for slivers.
             match expected {
                 Some((t, _)) => prop_assert!((f64::from(found.t) - t).abs() <= 1e-4 * (1.0 + t), "{found:?} {expected:?}"),
                 None => prop_assert!(found.is_miss()),
@@ -177,8 +176,8 @@ proptest! {
             .collect();
         let rays = beam(origin * 3.0, toward, 0.4);
         for (ray, found) in rays.iter().zip(trace_all_ways(&instanced, &rays, &All)) {
-            // Corners are rounded once when merged; rays are rounded twice when placed. Near an edge one may hit and
-            // the other miss, so the merged mesh decides only where the ray stays clear of all edges.
+            // Merging rounds corners once, placement rounds rays twice. So near an edge the ray may hit only one of the
+            // two, and only rays clear of all edges are compared.
             let Some((t, face, clear)) = clear_oracle(&merged, ray) else { continue };
             if clear {
                 prop_assert!((f64::from(found.t) - t).abs() <= 1e-4 * (1.0 + t));
@@ -198,7 +197,8 @@ impl HitFilter for EvenFaces {
     }
 }
 
-/// The nearest hit, and whether it and all misses before it are clear by 1e-3 of barycentric weight and 1e-3 of t.
+/// Returns the nearest hit, and whether it is clear: larger and smaller triangles give the same hit, and all others are
+/// more than 1e-3 farther away.
 fn clear_oracle(triangles: &[[Vec3; 3]], ray: &Ray) -> Option<(f64, usize, bool)> {
     let (t, face) = oracle(triangles, ray)?;
     let grown = |factor: f32| -> Vec<[Vec3; 3]> {

@@ -7,8 +7,8 @@ use glam::Vec3;
 
 use super::lanes::{Isa, Lanes};
 
-/// Valid range of determinants; others come from products that overflow or underflow in float32 and are recomputed in
-/// float64.
+/// Range of determinants that float32 gives correctly. Others come from products that overflow or underflow, and are
+/// recomputed in float64.
 const MIN_DETERMINANT: f32 = 1e-30;
 const MAX_DETERMINANT: f32 = 1e30;
 /// Maximum number of lanes of any instruction set.
@@ -40,7 +40,7 @@ impl Shear {
     }
 }
 
-/// Parameters and barycentric weights of the lanes in `mask`; other lanes are undefined.
+/// Ray parameters and barycentric weights; valid only for the lanes in `mask`.
 #[derive(Clone, Copy)]
 pub(crate) struct Crossing<L> {
     pub(crate) mask: u32,
@@ -73,8 +73,8 @@ pub(crate) fn intersect<I: Isa, L: Lanes<I>>(
     let t = u.mul(az).add(v.mul(bz)).add(w.mul(cz)).div(determinant);
     let mut crossing = Crossing { mask, t, u: v.div(determinant), v: w.div(determinant) };
     let size = determinant.abs();
-    let fine = L::splat(isa, MIN_DETERMINANT).lt(size) & size.lt(L::splat(isa, MAX_DETERMINANT));
-    let special = mask & (u.eq(zero) | v.eq(zero) | w.eq(zero) | !fine);
+    let in_range = L::splat(isa, MIN_DETERMINANT).lt(size) & size.lt(L::splat(isa, MAX_DETERMINANT));
+    let special = mask & (u.eq(zero) | v.eq(zero) | w.eq(zero) | !in_range);
     if special != 0 {
         let (mut sheared, mut values) = ([[[0.0; MAX_LANES]; 3]; 3], [[0.0; MAX_LANES]; 3]);
         let corners = [[ax, ay, az], [bx, by, bz], [cx, cy, cz]];
@@ -86,7 +86,7 @@ pub(crate) fn intersect<I: Isa, L: Lanes<I>>(
         crossing.t.store(&mut values[0]);
         crossing.u.store(&mut values[1]);
         crossing.v.store(&mut values[2]);
-        mask = (mask & !special) | repair(&sheared, special, &mut values);
+        mask = (mask & !special) | recompute(&sheared, special, &mut values);
         let (t, u, v) = (L::load(isa, &values[0]), L::load(isa, &values[1]), L::load(isa, &values[2]));
         crossing = Crossing { mask, t, u, v };
     }
@@ -99,15 +99,15 @@ fn flatten<I, L: Lanes<I>>(p: [L; 3], scale: [L; 3]) -> (L, L) {
     (p[0].sub(scale[0].mul(p[2])), p[1].sub(scale[1].mul(p[2])))
 }
 
-/// Decides the lanes of `special` in float64, where products of float32 numbers are exact, so a remaining zero is
-/// exact and nothing overflows. Writes the values of lanes that hit and returns their mask.
+/// Recomputes the lanes of `special` in float64, where products of float32 numbers are exact: a remaining zero is
+/// exact, and nothing overflows. Writes the values of lanes that hit and returns their mask.
 #[cold]
 #[inline(never)]
-fn repair(sheared: &[[[f32; MAX_LANES]; 3]; 3], special: u32, values: &mut [[f32; MAX_LANES]; 3]) -> u32 {
+fn recompute(sheared: &[[[f32; MAX_LANES]; 3]; 3], special: u32, values: &mut [[f32; MAX_LANES]; 3]) -> u32 {
     let mut mask = 0;
     for lane in (0..MAX_LANES).filter(|lane| special >> lane & 1 == 1) {
         let [a, b, c] = [0, 1, 2].map(|corner: usize| sheared[corner].map(|axis| f64::from(axis[lane])));
-        if let Some(hit) = exact(a, b, c) {
+        if let Some(hit) = intersect_exactly(a, b, c) {
             (0..3).for_each(|i| values[i][lane] = hit[i] as f32);
             mask |= 1 << lane;
         }
@@ -116,7 +116,7 @@ fn repair(sheared: &[[[f32; MAX_LANES]; 3]; 3], special: u32, values: &mut [[f32
 }
 
 /// Returns the parameter and the weights of b and c, from sheared corners.
-fn exact(a: [f64; 3], b: [f64; 3], c: [f64; 3]) -> Option<[f64; 3]> {
+fn intersect_exactly(a: [f64; 3], b: [f64; 3], c: [f64; 3]) -> Option<[f64; 3]> {
     let edge = |p: [f64; 3], q: [f64; 3]| p[0] * q[1] - p[1] * q[0];
     let (u, v, w) = (edge(c, b), edge(a, c), edge(b, a));
     if (u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0 || v > 0.0 || w > 0.0) {

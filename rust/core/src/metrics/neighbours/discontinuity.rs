@@ -11,7 +11,7 @@ use crate::base::simd::vectorized;
 use crate::base::{Progress, Real, Result};
 use crate::camera::Camera;
 
-/// Bands of points per task; its pairs reach as many bands further.
+/// Bands of points per task. Pairs reach as many bands beyond them.
 const GROUP: usize = BANDS;
 
 /// Neighbourhood radius, and the resolution of the truth.
@@ -82,7 +82,7 @@ impl PairSums {
             let targets = points.targets(band, points.bands[band..].iter().take(BANDS + 1), around.epsilon);
             let limits = [around.epsilon, around.least].map(|limit| (limit * limit) as f32);
             let band = points.bands[band].1.clone();
-            // One band may hold all points of a picture, so progress is reported, and cancellation checked, within it.
+            // A single band may have all points of a picture, so cancellation is checked within bands.
             for from in band.clone().step_by(REPORTED_POINTS) {
                 let source = from..band.end.min(from + REPORTED_POINTS);
                 add_pairs(points, source.clone(), &targets, limits, &mut sums);
@@ -107,7 +107,7 @@ vectorized! {
     fn add_pairs(points: &TruthPoints, source: Range<usize>, targets: &[Target], limits: [f32; 2], sums: &mut PairSums) = fused pairs;
 }
 
-/// Adds the pairs of some points; per band, a window of points within reach slides along x.
+/// Adds the pairs of some points. In each band, the window of points within reach slides along x.
 #[inline(always)]
 fn pairs<const FUSED: bool>(
     points: &TruthPoints,
@@ -194,8 +194,8 @@ fn block<const FUSED: bool, const IS_FULL: bool>(
         let raised = if truth_squared > min_squared { truth_squared } else { min_squared };
         // √(picture_squared / raised), without a division.
         let excess_term = f32::fuse::<FUSED>(picture_squared, inverse_root::<FUSED>(picture_squared * raised), -1.0);
-        let counts = (truth_squared < max_squared) & (IS_FULL || lane < length);
-        let (excess_term, count_term) = (if counts { excess_term } else { 0.0 }, if counts { 1.0 } else { 0.0 });
+        let is_pair = (truth_squared < max_squared) & (IS_FULL || lane < length);
+        let (excess_term, count_term) = (if is_pair { excess_term } else { 0.0 }, if is_pair { 1.0 } else { 0.0 });
         excess[lane] += excess_term;
         count[lane] += count_term;
         other_excess[lane] += excess_term;
@@ -203,8 +203,8 @@ fn block<const FUSED: bool, const IS_FULL: bool>(
     }
 }
 
-/// Returns 1/√a to two ulps: a guess from the exponent's bits, and three Newton steps. Vector division and square root
-/// take longer.
+/// Returns 1/√a to two ulps by a guess from the exponent's bits and three Newton steps, which take less time than
+/// vector division and square root.
 #[inline(always)]
 fn inverse_root<const FUSED: bool>(a: f32) -> f32 {
     let half = -0.5 * a;

@@ -13,15 +13,15 @@ use crate::camera::Camera;
 
 /// Points per vector operation.
 pub(super) const LANES: usize = 16;
-/// Bands per ε: narrower bands hold fewer points that are too far away, wider bands are fewer.
+/// Bands per ε. Narrower bands contain fewer points that are too far away, but there are more of them.
 pub(super) const BANDS: usize = 4;
 /// Points between two reports of progress.
 pub(super) const REPORTED_POINTS: usize = 1 << 10;
-/// Maximum coordinate in pixels of the truth: float32 has no fractions beyond it, and such points have no neighbours.
+/// Maximum coordinate, pixels of the truth. Points beyond it, where float32 has no fractions, have no neighbours.
 const MAX_COORDINATE: f64 = 1e7;
 
-/// Points by their position in the truth: in bands of y, each sorted by x. A position is the pixel plus a separate
-/// shift, because float32 alone would be off by 1e-4 pixels and lose exact positions. The arrays end with padding for
+/// Points sorted by their position in the truth: in bands of y, and by x within a band. A position is the pixel plus a
+/// separate shift, because a single float32 number would be wrong by up to 1e-4 pixels. The arrays end with padding for
 /// a vector's lanes.
 #[derive(Default)]
 pub(super) struct TruthPoints {
@@ -50,19 +50,18 @@ pub(super) struct Target {
     pub reach: f32,
 }
 
-/// Returns the maximum distance in x between neighbours in bands that are `apart`; `None` if the bands are too far
-/// apart.
-fn reach(apart: u64, epsilon: f64) -> Option<f32> {
-    if apart > BANDS as u64 {
+/// Returns the maximum distance in x between neighbours whose band numbers differ by `steps`; `None` if there are none.
+fn reach(steps: u64, epsilon: f64) -> Option<f32> {
+    if steps > BANDS as u64 {
         return None;
     }
-    // Bands two apart have a whole band between them.
-    let beside = apart.saturating_sub(1) as f64 * epsilon / BANDS as f64;
+    // Between bands whose numbers differ by two lies one whole band.
+    let gap = steps.saturating_sub(1) as f64 * epsilon / BANDS as f64;
     // Widened by more than float32's rounding, so that no neighbour is missed.
-    Some(((epsilon * epsilon - beside * beside).max(0.0).sqrt() * (1.0 + 1e-6)) as f32)
+    Some(((epsilon * epsilon - gap * gap).max(0.0).sqrt() * (1.0 + 1e-6)) as f32)
 }
 
-/// Fails for lengths that are no plausible numbers of pixels.
+/// Fails for implausible lengths in pixels.
 pub(super) fn check_pixels(argument: &'static str, length: f64) -> Result<()> {
     ensure!((1e-6..=1e4).contains(&length), argument, "from a millionth of a pixel to 10,000 pixels", length);
     Ok(())
@@ -91,7 +90,7 @@ impl TruthPoints {
             let band = (truth.y * BANDS as f64 / epsilon).floor() as i64;
             is_near.then_some(TruthPosition { band, pixel: pixel as u32, truth })
         };
-        // The pieces that threads collect are joined to one array.
+        // The threads' arrays, and the array of all points.
         room_for_values::<[TruthPosition; 2]>(position.len())?;
         let mut positions: Vec<TruthPosition> = position.par_iter().enumerate().filter_map(position_of).collect();
         sort_by_key(&mut positions, |point| point.band, progress)?;
@@ -125,7 +124,7 @@ impl TruthPoints {
         })
     }
 
-    /// Returns those of some bands that may contain neighbours of a band's points.
+    /// Returns the bands among `others` that may contain neighbours of a band's points.
     pub fn targets<'a>(
         &self,
         band: usize,

@@ -17,7 +17,7 @@ const UNIT_STEP: f64 = 0.264_335_868_4;
 
 /// Neighbours summed per vector operation.
 const WIDE: usize = 8;
-/// Ratio of variances across and along a line below which neighbours count as collinear, due to float32's rounding.
+/// Ratio of the variances across and along a line below which neighbours count as collinear up to float32's rounding.
 const COLLINEAR_SPREAD: f64 = 1e-9;
 
 /// Per-pixel flags that select pixels and mark the border.
@@ -132,8 +132,8 @@ fn moments_kernel<const FUSED: bool>(
     }
 }
 
-/// Sums over a pixel and its neighbours: positions in the truth, and shifts from the picture to there, both relative
-/// to the pixel's own. An affine fit of the shifts has the same residual as one of the positions in the picture.
+/// Sums over a pixel and its neighbours of positions in the truth and of shifts from the picture to the truth, both
+/// relative to the pixel's own. An affine fit has the same residual for the shifts as for the positions in the picture.
 #[derive(Clone, Copy, Debug, Default)]
 struct Moments {
     count: f64,
@@ -189,7 +189,7 @@ fn solve(covariance: DMat2, mixed: DVec2) -> DVec2 {
 /// (x, y) a shift.
 const TERMS: usize = 14;
 
-/// Adds the terms of `length` points from `start` on; only of those whose squared distance from point `n` is below
+/// Adds the terms of the points among `length` points from `start` on whose squared distance from point `n` is below
 /// `max_squared`.
 #[inline(always)]
 fn add_terms<const FUSED: bool>(
@@ -209,9 +209,9 @@ fn add_terms<const FUSED: bool>(
     for lane in 0..WIDE {
         let (dx, dy) = (shift_x[lane] - own_shift[0], shift_y[lane] - own_shift[1]);
         let (u, v) = ((x[lane] - own_x) + dx, (y[lane] - own_y) + dy);
-        let counts = (f32::fuse::<FUSED>(u, u, v * v) < max_squared) & (lane < length);
-        let weight = if counts { 1.0 } else { 0.0 };
-        let [u, v, x, y] = [u, v, dx, dy].map(|value| if counts { f64::from(value) } else { 0.0 });
+        let is_near = (f32::fuse::<FUSED>(u, u, v * v) < max_squared) & (lane < length);
+        let weight = if is_near { 1.0 } else { 0.0 };
+        let [u, v, x, y] = [u, v, dx, dy].map(|value| if is_near { f64::from(value) } else { 0.0 });
         let side = weight * f64::from(side[lane]);
         let terms = [weight, side, u, v, x, y, u * u, u * v, v * v, x * x + y * y, u * x, u * y, v * x, v * y];
         for (sum, term) in sums.iter_mut().zip(terms) {

@@ -1,6 +1,6 @@
-//! Windows computed separately, about their middle pixels: means first, then deviations. No digits are lost for any
-//! values whose squares fit in float64. It takes ten times as long as separable passes, and is used where one level
-//! for many windows loses precision.
+//! Windows computed separately, relative to their middle pixels: first the means, then the deviations. No digits are
+//! lost if the squares of values fit in float64. This takes ten times as long as separable passes, and is used where
+//! one level for many windows loses precision.
 
 use super::super::pair::Pair;
 use super::super::pixel_rows::PixelRows;
@@ -23,7 +23,7 @@ pub(super) struct Patch<'a> {
 }
 
 impl<'a> Patch<'a> {
-    /// Loads the pixels: those of a mask, or of the mirrored image without one.
+    /// Loads the pixels of a mask or, without one, of the mirrored image.
     pub fn new<P: PixelRows>(
         pair: &Pair<'_, P>,
         weights: &'a [f64],
@@ -46,12 +46,12 @@ impl<'a> Patch<'a> {
             let down = (part.rows[0] + row) as i64 - before;
             for column in 0..part.columns[1] - part.columns[0] + taps - 1 {
                 let across = (part.columns[0] + column) as i64 - before;
-                let [at_row, at_column] = [mirror(down, size[0]), mirror(across, size[1])];
-                let within = down == at_row as i64 && across == at_column as i64;
-                if mask.is_none_or(|mask| within && mask.contains(at_row, at_column)) {
+                let [image_row, image_column] = [mirror(down, size[0]), mirror(across, size[1])];
+                let is_inside = down == image_row as i64 && across == image_column as i64;
+                if mask.is_none_or(|mask| is_inside && mask.contains(image_row, image_column)) {
                     let index = row * width + column;
-                    patch.values[0][index] = pair.reference.value(at_row, at_column).wide();
-                    patch.values[1][index] = pair.test.value(at_row, at_column).wide();
+                    patch.values[0][index] = pair.reference.value(image_row, image_column).wide();
+                    patch.values[1][index] = pair.test.value(image_row, image_column).wide();
                     patch.visibility[index] = 1.0;
                 }
             }
@@ -80,7 +80,7 @@ vectorized! {
     fn measure_block(patch: &Patch<'_>, from: usize) -> [[f64; 2]; LANES] = block;
 }
 
-/// Computes the windows that begin at `from` and the next positions.
+/// Computes the windows that begin at `from` and at the next positions.
 #[inline(always)]
 fn block(patch: &Patch<'_>, from: usize) -> [[f64; 2]; LANES] {
     let [xs, ys] = &patch.values;
@@ -128,17 +128,17 @@ fn block(patch: &Patch<'_>, from: usize) -> [[f64; 2]; LANES] {
         let difference = (x_level[i] - y_level[i]) + (x_mean[i] - y_mean[i]);
         let means = [x * x + y * y + patch.constants[0], difference * difference];
         let (similarity, contrast) =
-            measured(means, [variances[i] / total[i] + patch.constants[1], difference_variances[i] / total[i]]);
+            ssim_factors(means, [variances[i] / total[i] + patch.constants[1], difference_variances[i] / total[i]]);
         factors[i] = [similarity, contrast];
     }
     factors
 }
 
-/// Returns similarity and contrast factor by two divisions, because the product of the divisors would overflow.
-/// Arguments: the sum of both squared means and c₁, the square of their difference, the sum of both variances and c₂,
-/// and the variance of the difference.
+/// Returns similarity and contrast factor by two divisions, because the product of the divisors could overflow.
+/// Arguments: the sum of both squared means and c₁, the squared difference of the means, the sum of both variances and
+/// c₂, and the variance of the difference.
 #[inline(always)]
-pub(super) fn measured([means, difference]: [f64; 2], [variances, difference_variance]: [f64; 2]) -> (f64, f64) {
+pub(super) fn ssim_factors([means, difference]: [f64; 2], [variances, difference_variance]: [f64; 2]) -> (f64, f64) {
     let contrast = (variances - difference_variance) / variances;
     ((means - difference) / means * contrast, contrast)
 }

@@ -6,7 +6,7 @@ use super::super::extremes::{Extremes, ValueRange};
 use super::super::pair::Pair;
 use super::super::pixel_rows::PixelRows;
 use super::super::plane::{Plane, Region};
-use super::direct::measured;
+use super::direct::ssim_factors;
 use super::measure::power_sums;
 use super::window::{Mask, Selection, SimilaritySums};
 use crate::base::Real;
@@ -14,8 +14,8 @@ use crate::base::Real;
 /// Number of pixels per task and per row segment: fixed, so that sums do not depend on the number of threads.
 const TASK_PIXELS: usize = 1 << 14;
 
-/// Computes one similarity for all pixels; the window is the whole image. If the mask restricts windows, the window has
-/// only the mask's pixels.
+/// Computes one similarity for all pixels, with the whole image as window. If the mask restricts windows, the window
+/// has only the mask's pixels.
 pub(super) fn global<P: PixelRows>(
     pair: &Pair<'_, P>,
     constants: [f64; 2],
@@ -49,7 +49,7 @@ pub(super) fn global<P: PixelRows>(
     };
     let tasks = (bounds.rows[1] - bounds.rows[0]).div_ceil(rows);
     let tasks: Vec<([f64; 5], ValueRange)> = (0..tasks).into_par_iter().map(task).collect();
-    let range = tasks.iter().fold(ValueRange::default(), |range, task| range.and(task.1));
+    let range = tasks.iter().fold(ValueRange::default(), |range, task| range.union(task.1));
     let [pixels, sums @ ..] = tasks.into_iter().map(|task| task.0).fold([0.0; 5], add);
     let [s, d, ss, dd] = sums.map(|sum| sum / pixels);
     let [x, y] = [levels[0] + 0.5 * (s + d), levels[1] + 0.5 * (s - d)];
@@ -57,7 +57,7 @@ pub(super) fn global<P: PixelRows>(
     let [s_variance, d_variance] = [ss - s * s, dd - d * d].map(|variance| variance.max(0.0));
     let variances = 0.5 * (s_variance + d_variance) + constants[1];
     let (similarity, contrast) =
-        measured([x * x + y * y + constants[0], mean_difference * mean_difference], [variances, d_variance]);
+        ssim_factors([x * x + y * y + constants[0], mean_difference * mean_difference], [variances, d_variance]);
     if let Some(map) = map {
         map.fill(P::Real::narrow(similarity));
     }

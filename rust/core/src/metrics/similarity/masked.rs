@@ -16,11 +16,11 @@ const ROWS: usize = 64;
 /// Fields summed per window: 1, s, s², d, d² for masked pixels, 0 elsewhere.
 const FIELDS: usize = 5;
 
-/// Maximum distance of a window from the level, in units of its contrast: squares lose 2e-15 times its square.
+/// Maximum distance of a window from the level, in units of its contrast. Squares lose 2e-15 times its square.
 const MAX_DISTANCE: f64 = 50.0;
 
-/// A comparison by windows that see only masked pixels. It uses float64: means can lie anywhere in a band's range of
-/// values, and the square of that distance cancels in the variances.
+/// A comparison by windows that see only masked pixels. It uses float64, because a window's mean may lie far from the
+/// band's level, and the square of that distance cancels in the variances.
 pub(super) struct Masked<'a, P> {
     pub pair: Pair<'a, P>,
     pub weights: &'a [f64],
@@ -53,8 +53,8 @@ impl<P: PixelRows> Masked<'_, P> {
         let (before, after) = (taps / 2, taps - 1 - taps / 2);
         let levels = self.pair.levels(&region, Some(&self.mask));
         let measure = Measure { levels, constants: self.constants };
-        // Similarity, contrast factor and validity of a row's windows; the others are for windows that need
-        // recomputation.
+        // Similarity, contrast factor and precision of a row's windows. `patch` and `recomputed` serve the windows that
+        // one level is not precise enough for.
         let (mut results, mut patch, mut recomputed) = (vec![[0.0; 3]; columns], None, Vec::new());
         // Whole vectors are summed; the last lanes may lie outside the region.
         let padded = columns.next_multiple_of(LANES);
@@ -83,7 +83,7 @@ impl<P: PixelRows> Masked<'_, P> {
                 let (d, dd) = (window[3][index] * scale, window[4][index] * scale);
                 let Measurement { similarity, contrast, .. } =
                     measure.similarity::<true, false>([s, ss - s * s], [d, dd - d * d]);
-                // Squares about one level for all windows of a band lose precision in windows far from it.
+                // Squares relative to a band's level are imprecise in windows far from it.
                 let contrasts = 0.5 * (ss - s * s + dd - d * d) + self.constants[1];
                 let is_precise = s * s + d * d <= MAX_DISTANCE * MAX_DISTANCE * contrasts && similarity.is_finite();
                 has_failed |= !is_precise;
@@ -145,7 +145,7 @@ vectorized! {
         = fused weigh_rows_kernel;
 }
 
-/// Writes weighted sums of a line's values; the nth sum begins at the nth value.
+/// Writes weighted sums of a line's values; the n-th sum begins at the n-th value.
 #[inline(always)]
 fn weigh_line_kernel<const FUSED: bool>(line: &[f64], weights: &[f64], sums: &mut [f64]) {
     for (block, sums) in sums.as_chunks_mut::<LANES>().0.iter_mut().enumerate() {

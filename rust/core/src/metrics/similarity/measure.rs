@@ -24,7 +24,7 @@ impl<R: RoundingLimits> Measure<R> {
         [d, d2]: [R; 2],
     ) -> Measurement<R> {
         let (half, zero) = (R::narrow(0.5), R::default());
-        // Negative variances are rounding; NaN fails the comparison and stays.
+        // Negative variances are rounding errors. NaN fails the comparison and stays.
         let s2 = if s2 < zero { zero } else { s2 };
         let d2 = if d2 < zero { zero } else { d2 };
         let sum = (self.levels[0] + self.levels[1]) + s;
@@ -36,16 +36,17 @@ impl<R: RoundingLimits> Measure<R> {
         // One division serves both factors.
         let divisor = means * variances;
         let similarity = (means - difference_squared) * contrast_numerator / divisor;
-        // If e is the rounding error of subtracting levels, proportional to |s| + |d|, the contrast factor changes by
-        // e √σd² / σ² and the first factor by e |D| / (S² + D²), where the rounding of means counts as well.
+        // Subtracting levels has a rounding error e proportional to |s| + |d|. It changes the contrast factor by
+        // e √σd² / σ² and the first factor by e |D| / (S² + D²), to which the rounding of means adds.
         let distance_squared = R::fuse::<FUSED>(s, s, d * d);
         let square = |factor: f64| R::narrow(factor * factor);
         let smaller_divisor = if means < variances { means } else { variances };
-        let holds = ((distance_squared + (s2 + d2)) * difference_squared <= square(R::MAX_CHANGE) * (means * means))
+        let is_precise = ((distance_squared + (s2 + d2)) * difference_squared
+            <= square(R::MAX_CHANGE) * (means * means))
             & (distance_squared * d2 <= square(R::MAX_CHANGE) * (variances * variances))
             & (distance_squared <= square(R::MAX_DISTANCE) * smaller_divisor)
             & (divisor <= R::narrow(R::MAX_DIVISOR));
-        Measurement { similarity, contrast: if CONTRAST { contrast_numerator / variances } else { zero }, holds }
+        Measurement { similarity, contrast: if CONTRAST { contrast_numerator / variances } else { zero }, is_precise }
     }
 }
 
@@ -55,8 +56,8 @@ pub struct Measurement<R> {
     pub similarity: R,
     /// Contrast factor, if computed.
     pub contrast: R,
-    /// False if precision or exponent range was insufficient.
-    pub holds: bool,
+    /// Whether precision and exponent range sufficed.
+    pub is_precise: bool,
 }
 
 /// A row of windows.
@@ -70,17 +71,16 @@ pub struct WindowRow<R> {
     pub blocks: usize,
     /// Whether to compute the contrast factor.
     pub contrast: bool,
-    /// Whether windows that do not count must be valid as well.
-    pub must_all_hold: bool,
-    /// Whether all required windows of the last row were valid.
-    pub holds: bool,
+    /// Whether windows that do not count are required, too.
+    pub all_required: bool,
+    /// Whether precision sufficed for all required windows of the last row.
+    pub is_precise: bool,
     /// Sums of similarity and contrast factor over all rows since the last reset, per lane.
     pub sums: [[f64; LANES]; 2],
 }
 
 vectorized! {
-    /// Computes the similarity of a row of windows; sums it and, if wanted, the contrast factor over the windows that
-    /// count.
+    /// Computes the similarity of a row of windows; sums it and, if wanted, the contrast factor of windows that count.
     pub(super) fn measure_row<R: RoundingLimits>(
         measure: &Measure<R>,
         s: &Moments<R>,
@@ -113,7 +113,7 @@ fn measure_row_kernel<R: RoundingLimits, const CONTRAST: bool, const FUSED: bool
     row: &mut WindowRow<R>,
 ) {
     let mut sums = row.sums;
-    let (mut failed, must_all_hold) = ([0u32; LANES], row.must_all_hold);
+    let (mut failed, all_required) = ([0u32; LANES], row.all_required);
     let (s_mean, s_variance) = (s.mean.as_chunks::<LANES>().0, s.variance.as_chunks::<LANES>().0);
     let (d_mean, d_variance) = (d.mean.as_chunks::<LANES>().0, d.variance.as_chunks::<LANES>().0);
     let similarity = row.similarity.as_chunks_mut::<LANES>().0;
@@ -121,12 +121,12 @@ fn measure_row_kernel<R: RoundingLimits, const CONTRAST: bool, const FUSED: bool
         let mut contrast = [R::default(); LANES];
         for i in 0..LANES {
             let (s, d) = ([s_mean[block][i], s_variance[block][i]], [d_mean[block][i], d_variance[block][i]]);
-            let measured = measure.similarity::<CONTRAST, FUSED>(s, d);
-            (similarity[block][i], contrast[i]) = (measured.similarity, measured.contrast);
-            let must_hold = must_all_hold | (counts[i] > R::default());
-            failed[i] |= u32::from(must_hold & !measured.holds);
+            let measurement = measure.similarity::<CONTRAST, FUSED>(s, d);
+            (similarity[block][i], contrast[i]) = (measurement.similarity, measurement.contrast);
+            let is_required = all_required | (counts[i] > R::default());
+            failed[i] |= u32::from(is_required & !measurement.is_precise);
         }
-        // Selected, not multiplied, because uncounted values may be NaN.
+        // Selected, not multiplied, because windows that do not count may be NaN.
         for i in 0..LANES {
             let counts = counts[i] > R::default();
             sums[0][i] += if counts { similarity[block][i].wide() } else { 0.0 };
@@ -136,7 +136,7 @@ fn measure_row_kernel<R: RoundingLimits, const CONTRAST: bool, const FUSED: bool
         }
     }
     row.sums = sums;
-    row.holds = failed.iter().fold(0, |any, lane| any | lane) == 0;
+    row.is_precise = failed.iter().fold(0, |any, lane| any | lane) == 0;
 }
 
 #[inline(always)]

@@ -1,9 +1,9 @@
 //! Means and variances in a window, separably and without cancellation.
 //!
-//! The mean of squares minus the square of the mean has no digits left where the level is high. Here each row's
-//! moments are taken about the pixel in its middle, and the combination of rows about the middle row. The square that
-//! remains to be subtracted is at most the variance divided by the middle's weight (the middle is one of the averaged
-//! values), so the relative error is a few roundings over that weight, at any level.
+//! The mean of squares minus the square of the mean has no correct digits if the level is high. Here each row's moments
+//! are relative to the pixel in its middle, and those of the window relative to the middle row. The square that is
+//! still subtracted is at most the variance divided by the middle's weight (the middle is one of the averaged values).
+//! So the relative error is a few roundings divided by that weight, at any level.
 
 use super::super::extremes::{LANES, lanes};
 use crate::base::Real;
@@ -20,8 +20,8 @@ pub struct Moments<R> {
     pub mean: [R; COLUMNS],
     /// Variance of each window.
     pub variance: [R; COLUMNS],
-    /// Padding: rows a power of two apart would share few sets of the first-level cache, because narrow tiles fill
-    /// only the beginning of each array.
+    /// Padding, because narrow tiles fill only the beginning of each array: rows a power of two apart would share few
+    /// sets of the first-level cache.
     _padding: [u8; 64],
 }
 
@@ -32,21 +32,21 @@ impl<R: Real> Default for Moments<R> {
 }
 
 vectorized! {
-    /// Computes moments along a line for the first `blocks` × `LANES` windows; the nth begins at the nth value.
-    pub(super) fn across<R: Real>(line: &[R], weights: &[R], moments: &mut Moments<R>, blocks: usize)
-        = fused across_kernel<_>;
-    /// Combines row moments to window moments; `order[k]` is the window's kth row among `rows`.
-    pub(super) fn down<R: Real>(
+    /// Computes moments along a line for the first `blocks` × `LANES` windows; the n-th begins at the n-th value.
+    pub(super) fn row_moments<R: Real>(line: &[R], weights: &[R], moments: &mut Moments<R>, blocks: usize)
+        = fused row_moments_kernel<_>;
+    /// Combines row moments to window moments; `order[k]` is the index in `rows` of the window's k-th row.
+    pub(super) fn window_moments<R: Real>(
         rows: &[Moments<R>],
         order: &[usize],
         weights: &[R],
         moments: &mut Moments<R>,
         blocks: usize,
-    ) = fused down_kernel<_>;
+    ) = fused window_moments_kernel<_>;
 }
 
 #[inline(always)]
-pub(super) fn across_kernel<R: Real, const FUSED: bool>(
+pub(super) fn row_moments_kernel<R: Real, const FUSED: bool>(
     line: &[R],
     weights: &[R],
     moments: &mut Moments<R>,
@@ -75,7 +75,7 @@ pub(super) fn across_kernel<R: Real, const FUSED: bool>(
 }
 
 #[inline(always)]
-pub(super) fn down_kernel<R: Real, const FUSED: bool>(
+pub(super) fn window_moments_kernel<R: Real, const FUSED: bool>(
     rows: &[Moments<R>],
     order: &[usize],
     weights: &[R],

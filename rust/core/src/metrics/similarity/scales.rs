@@ -14,8 +14,8 @@ use super::window::{Mask, Selection, Similarity, SimilaritySums, Window};
 use crate::base::memory::try_vec;
 use crate::base::{Progress, Real, Result, ensure};
 
-/// Returns the summed similarity of windows and, if requested, writes its map: rows of the image's width. Images are
-/// mirrored at their borders. Without a map only windows that count are computed.
+/// Returns the sum of the windows' similarities and, if requested, writes a map of them, in rows of the image's width.
+/// Images are mirrored at their borders. Without a map, only windows that count are computed.
 pub fn similarity<P: PixelRows>(
     pair: &Pair<'_, P>,
     window: &Window,
@@ -48,11 +48,11 @@ pub struct Shrunk<R> {
 }
 
 impl<R: Pixel> Shrunk<R> {
-    /// Reduces both images: each output pixel is the mean of a box of `factor` × `factor` pixels around every
-    /// `factor`th pixel. Images are mirrored at their borders.
+    /// Reduces both images: an output pixel is the mean of the `factor` × `factor` pixels around every `factor`-th
+    /// pixel. Images are mirrored at their borders.
     pub fn new<P: PixelRows<Real = R>>(pair: &Pair<'_, P>, factor: usize, progress: &Progress) -> Result<Self> {
         let size = [pair.reference.height, pair.reference.width].map(|length| length.div_ceil(factor));
-        let images = [shrunk(&pair.reference, factor, progress)?, shrunk(&pair.test, factor, progress)?];
+        let images = [shrink(&pair.reference, factor, progress)?, shrink(&pair.test, factor, progress)?];
         Ok(Self { images, size })
     }
 
@@ -66,7 +66,7 @@ impl<R: Pixel> Shrunk<R> {
     }
 }
 
-fn shrunk<P: Pixel>(image: &Plane<'_, P>, factor: usize, progress: &Progress) -> Result<Vec<P::Real>> {
+fn shrink<P: Pixel>(image: &Plane<'_, P>, factor: usize, progress: &Progress) -> Result<Vec<P::Real>> {
     let reach = (factor - 1) / 2;
     let [height, width] = [image.height, image.width].map(|length| length.div_ceil(factor));
     let mirrored = |n: usize, length: usize| mirror(n as i64 - reach as i64, length);
@@ -122,7 +122,7 @@ pub fn multiscale<P>(
 where
     P: PixelRows<Real: PixelRows<Real = P::Real>>,
 {
-    let finest = sums(pair, window, constants, range, progress)?;
+    let finest = compare_whole_windows(pair, window, constants, range, progress)?;
     let mut means = vec![finest.means()];
     let mut smaller: Option<Shrunk<P::Real>> = None;
     for _ in 1..scales {
@@ -130,13 +130,14 @@ where
             Some(shrunk) => Shrunk::new(&shrunk.pair()?, 2, progress)?,
             None => Shrunk::new(pair, 2, progress)?,
         };
-        means.push(sums(&next.pair()?, window, constants, false, progress)?.means());
+        means.push(compare_whole_windows(&next.pair()?, window, constants, false, progress)?.means());
         smaller = Some(next);
     }
     Ok(Scales { means, range: finest.range })
 }
 
-fn sums<P: PixelRows>(
+/// Compares a pair at one scale by the windows inside the images.
+fn compare_whole_windows<P: PixelRows>(
     pair: &Pair<'_, P>,
     window: &Window,
     constants: Similarity,
@@ -144,10 +145,10 @@ fn sums<P: PixelRows>(
     progress: &Progress,
 ) -> Result<SimilaritySums> {
     if let Window::Weights(weights) = window {
-        let (size, least) = ([pair.reference.height, pair.reference.width], weights.len());
-        let expected = format!("windows of {least} pixels within the picture at every scale");
+        let (size, min_size) = ([pair.reference.height, pair.reference.width], weights.len());
+        let expected = format!("windows of {min_size} pixels within the picture at every scale");
         let got = format!("{} × {} at one of them", size[0], size[1]);
-        ensure!(size[0].min(size[1]) >= least, "reference", expected, got);
+        ensure!(size[0].min(size[1]) >= min_size, "reference", expected, got);
     }
     let selection = Selection { all: false, mask: None, contrast: true, range, progress };
     similarity(pair, window, constants, selection, None)
@@ -162,10 +163,10 @@ mod tests {
         let values: Vec<f64> = (0..15).map(f64::from).collect();
         let plane = Plane::new(&values, [3, 5], [5, 1]).unwrap();
         // Factor 2: pixels 0–1, 2–3, 4 and its mirror image; rows 0–1, 2 and its mirror image.
-        assert_eq!(shrunk(&plane, 2, &Progress::new()).unwrap(), [3.0, 5.0, 6.5, 10.5, 12.5, 14.0]);
+        assert_eq!(shrink(&plane, 2, &Progress::new()).unwrap(), [3.0, 5.0, 6.5, 10.5, 12.5, 14.0]);
         // Factor 3: boxes begin one pixel earlier.
         let first = [0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 5.0, 5.0, 6.0].iter().sum::<f64>() / 9.0;
-        let found = shrunk(&plane, 3, &Progress::new()).unwrap();
+        let found = shrink(&plane, 3, &Progress::new()).unwrap();
         assert!((found[0] - first).abs() < 1e-15 && found.len() == 2);
         // The second box, about pixel 3.
         let second = [2.0, 3.0, 4.0, 2.0, 3.0, 4.0, 7.0, 8.0, 9.0].iter().sum::<f64>() / 9.0;

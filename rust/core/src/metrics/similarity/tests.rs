@@ -1,7 +1,6 @@
-//! Tests of similarity against its definition, window by window, and of both variants of each kernel against each
-//! other.
+//! Tests of similarity against its definition, and of the variants of each kernel against each other.
 
-use super::moments::{COLUMNS, Moments, across, across_kernel, down, down_kernel};
+use super::moments::{COLUMNS, Moments, row_moments, row_moments_kernel, window_moments, window_moments_kernel};
 use super::*;
 use crate::base::Progress;
 use crate::metrics::extremes::LANES;
@@ -21,7 +20,7 @@ fn images() -> impl Strategy<Value = (Vec<f64>, Vec<f64>, [usize; 2], usize, Vec
     })
 }
 
-/// Evaluates Eq. 13 at a pixel from the weights and values of the pixels around it; images are mirrored at their border.
+/// Evaluates Eq. 13 at a pixel from the weights and values around it; images are mirrored at their border.
 fn by_definition(
     [a, b]: [&[f64]; 2],
     [height, width]: [usize; 2],
@@ -77,7 +76,7 @@ proptest! {
     }
 
     #[test]
-    fn squares_are_their_sum((a, b, size, _, _) in images()) {
+    fn squared_errors_equal_their_definition((a, b, size, _, _) in images()) {
         let plane = |values| Plane::new(values, size, [size[1], 1]).unwrap();
         let stacks = Stacks { references: vec![plane(&a)], tests: vec![plane(&b)], masks: None };
         let exact = a.iter().zip(&b).map(|(a, b)| (a - b).powi(2)).sum::<f64>() / a.len() as f64;
@@ -92,13 +91,13 @@ proptest! {
         let line: Vec<f64> = line.iter().map(|value| value + level).collect();
         let blocks = COLUMNS / LANES;
         let (mut fast, mut slow) = (Moments::default(), Moments::default());
-        across(&line, &weights, &mut fast, blocks);
-        across_kernel::<f64, false>(&line, &weights, &mut slow, blocks);
+        row_moments(&line, &weights, &mut fast, blocks);
+        row_moments_kernel::<f64, false>(&line, &weights, &mut slow, blocks);
         let (rows, order) = (vec![fast.clone(); 11], (0..11).collect::<Vec<_>>());
-        let (mut fast_down, mut slow_down) = (Moments::default(), Moments::default());
-        down(&rows, &order, &weights, &mut fast_down, blocks);
-        down_kernel::<f64, false>(&rows, &order, &weights, &mut slow_down, blocks);
-        for (fast, slow) in [(&fast, &slow), (&fast_down, &slow_down)] {
+        let (mut fast_window, mut slow_window) = (Moments::default(), Moments::default());
+        window_moments(&rows, &order, &weights, &mut fast_window, blocks);
+        window_moments_kernel::<f64, false>(&rows, &order, &weights, &mut slow_window, blocks);
+        for (fast, slow) in [(&fast, &slow), (&fast_window, &slow_window)] {
             for i in 0..COLUMNS {
                 prop_assert!((fast.mean[i] - slow.mean[i]).abs() < 1e-12);
                 prop_assert!((fast.variance[i] - slow.variance[i]).abs() < 1e-12);
@@ -112,7 +111,7 @@ fn equal_images_are_exactly_alike_and_order_does_not_matter() {
     let a: Vec<f64> = (0..35).map(|i| f64::from(i * i % 17) / 16.0).collect();
     let b: Vec<f64> = (0..35).map(|i| f64::from(i * 7 % 13) / 12.0).collect();
     for window in [Window::gaussian(11, 1.5), Window::uniform(4), Window::Global] {
-        let of = |a: &[f64], b: &[f64]| {
+        let compare = |a: &[f64], b: &[f64]| {
             let mut map = vec![0.0; 35];
             let [a, b] = [a, b].map(|values| Plane::new(values, [5, 7], [7, 1]).unwrap());
             let pair = Pair::new(a, b).unwrap();
@@ -122,11 +121,11 @@ fn equal_images_are_exactly_alike_and_order_does_not_matter() {
             assert_eq!(sums, similarity(&pair, &window, CONSTANTS, selection, None).unwrap());
             (sums, map)
         };
-        assert!(of(&a, &a).1.iter().all(|&value| value == 1.0));
-        let SimilaritySums { similarity, contrast, pixels, range } = of(&a, &a).0;
+        assert!(compare(&a, &a).1.iter().all(|&value| value == 1.0));
+        let SimilaritySums { similarity, contrast, pixels, range } = compare(&a, &a).0;
         assert_eq!([similarity, contrast, pixels], [35.0; 3]);
         assert_eq!(range, ValueRange { least: 0.0, greatest: 1.0 });
-        assert_eq!(of(&a, &b), of(&b, &a));
-        assert!(of(&a, &b).1.iter().all(|&value| value < 1.0));
+        assert_eq!(compare(&a, &b), compare(&b, &a));
+        assert!(compare(&a, &b).1.iter().all(|&value| value < 1.0));
     }
 }

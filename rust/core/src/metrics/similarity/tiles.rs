@@ -6,16 +6,16 @@ use super::super::pixel_rows::PixelRows;
 use super::super::plane::{Region, RoundingLimits, mirror};
 use super::direct::Patch;
 use super::measure::{Measure, WindowRow, measure_row};
-use super::moments::{COLUMNS, Moments, across, down};
+use super::moments::{COLUMNS, Moments, row_moments, window_moments};
 use super::window::{MapRows, Mask, Selection, SimilaritySums, sum_bands};
 use crate::base::Real;
 use crate::base::simd::prefetch;
 
 /// Rows per task: fixed, so that sums do not depend on the number of threads.
 const ROWS: usize = 90;
-/// Bytes of a tile's row in each image: with the moments of a window's rows they stay in the caches.
+/// Bytes of a tile's row in each image. With the moments of a window's rows they stay in the caches.
 const TILE_BYTES: usize = 512;
-/// Prefetch distance in rows: addresses jump from tile to tile, which hardware prefetchers do not predict.
+/// Prefetch distance in rows. Hardware prefetchers do not predict jumps from tile to tile.
 const PREFETCHED_ROWS: usize = 4;
 
 /// A comparison by windows.
@@ -58,14 +58,14 @@ impl<'a, P: PixelRows> Windows<'a, P> {
                     region = mask.plane().bounds(region);
                 }
                 if !region.is_empty() {
-                    sums = sums.and(self.tile(&region, &mut buffers, map.as_mut()));
+                    sums = sums.plus(self.tile(&region, &mut buffers, map.as_mut()));
                 }
             }
             sums
         })
     }
 
-    /// Computes a tile in the pixels' own precision; if that loses digits, in float64, or else window by window.
+    /// Computes a tile in the pixels' own precision; if that loses digits, in float64, and else window by window.
     fn tile(
         &self,
         region: &Region,
@@ -73,7 +73,7 @@ impl<'a, P: PixelRows> Windows<'a, P> {
         mut map: Option<&mut MapRows<'_, P::Real>>,
     ) -> SimilaritySums {
         let levels = self.pair.levels(region, self.selection.mask.as_ref().map(Mask::plane));
-        buffers.row.must_all_hold = map.is_some();
+        buffers.row.all_required = map.is_some();
         let range_region = self.range_region(region);
         let mut extremes = self.selection.range.then(Extremes::default);
         let load_narrow = |row: usize, positions: &[usize], lines: [&mut [P::Real]; 2]| {
@@ -94,7 +94,7 @@ impl<'a, P: PixelRows> Windows<'a, P> {
         // The pixels' own precision may already be float64.
         if size_of::<P::Real>() < size_of::<f64>() {
             let mut buffers = TileBuffers::new(self.weights.len(), self.selection.contrast);
-            buffers.row.must_all_hold = map.is_some();
+            buffers.row.all_required = map.is_some();
             if let Some(sums) = self.pass(region, (levels, self.weights), &mut buffers, map.as_deref_mut(), load_wide) {
                 return SimilaritySums { range, ..sums };
             }
@@ -121,7 +121,7 @@ impl<'a, P: PixelRows> Windows<'a, P> {
         let blocks = (end - first).div_ceil(LANES);
         buffers.row.blocks = blocks;
         buffers.row.sums = [[0.0; LANES]; 2];
-        // Lanes beyond the region would see values of an earlier one.
+        // Otherwise lanes beyond the region would read values of an earlier region.
         buffers.lines.iter_mut().for_each(|line| line.fill(R::default()));
         let before = taps / 2;
         let positions = |from: usize, to: usize, length: usize| -> Vec<usize> {
@@ -129,8 +129,7 @@ impl<'a, P: PixelRows> Windows<'a, P> {
         };
         let columns = positions(first, end, self.pair.reference.width);
         let rows = positions(region.rows[0], region.rows[1], self.pair.reference.height);
-        let (mut counting, mut pixels) = (false, 0.0);
-        // The window of an output row reads `taps` rows, with positions mirrored at the borders.
+        let (mut is_counting, mut pixels) = (false, 0.0);
         for (read, &position) in rows.iter().enumerate() {
             let [s, d] = &mut buffers.lines;
             load(position, &columns, [&mut s[..columns.len()], &mut d[..columns.len()]]);
@@ -138,24 +137,24 @@ impl<'a, P: PixelRows> Windows<'a, P> {
             let slot = buffers.order[0];
             buffers.order.rotate_left(1);
             for (line, rows) in buffers.lines.iter().zip(&mut buffers.rows) {
-                across(line, weights, &mut rows[slot], blocks);
+                row_moments(line, weights, &mut rows[slot], blocks);
             }
             let Some(row) = (region.rows[0] + read + 1).checked_sub(taps).filter(|&row| row >= region.rows[0]) else {
                 continue;
             };
             for (rows, moments) in buffers.rows.iter().zip(&mut buffers.moments) {
-                down(rows, &buffers.order, weights, moments, blocks);
+                window_moments(rows, &buffers.order, weights, moments, blocks);
             }
-            match (self.inside.holds_row(row), self.selection.mask) {
+            match (self.inside.contains_row(row), self.selection.mask) {
                 (true, Some(mask)) => buffers.mask(mask, row, region, self.inside),
-                (true, None) if !counting => buffers.count(region, self.inside),
+                (true, None) if !is_counting => buffers.count(region, self.inside),
                 (true, None) => {}
                 (false, _) => buffers.count_none(),
             }
-            counting = self.inside.holds_row(row);
+            is_counting = self.inside.contains_row(row);
             let [s, d] = &buffers.moments;
             measure_row(&measure, s, d, &mut buffers.row);
-            if !buffers.row.holds {
+            if !buffers.row.is_precise {
                 return None;
             }
             pixels += buffers.window_count;
@@ -174,13 +173,13 @@ impl<'a, P: PixelRows> Windows<'a, P> {
         for row in region.rows[0]..region.rows[1] {
             let counts = |n: usize| {
                 let is_masked = |mask: Mask<'_>| mask.plane().contains(row, first + n);
-                self.inside.holds(row, first + n) && self.selection.mask.is_none_or(is_masked)
+                self.inside.contains(row, first + n) && self.selection.mask.is_none_or(is_masked)
             };
             let wanted = |n: usize| first + n < end && (is_mapped || counts(n));
             patch.measure_row(row - region.rows[0], wanted, |n, similarity, contrast| {
                 if counts(n) {
                     let contrast = if self.selection.contrast { contrast } else { 0.0 };
-                    sums = sums.and(SimilaritySums { similarity, contrast, pixels: 1.0, ..SimilaritySums::default() });
+                    sums = sums.plus(SimilaritySums { similarity, contrast, pixels: 1.0, ..SimilaritySums::default() });
                 }
                 if let Some(map) = &mut map {
                     map.write(row, first + n, &[similarity]);
@@ -190,8 +189,8 @@ impl<'a, P: PixelRows> Windows<'a, P> {
         sums
     }
 
-    /// Returns the pixels whose range a region contributes: its own, and those of the image's margin that only its
-    /// windows see. With a mask, a region contributes all pixels that its windows see.
+    /// Returns the pixels whose values a region contributes to the range: its own, and those of the image's margin that
+    /// only its windows see. With a mask, these are all pixels that its windows see.
     fn range_region(&self, region: &Region) -> Region {
         let taps = self.weights.len();
         let (before, after) = (taps / 2, taps - 1 - taps / 2);
@@ -205,8 +204,8 @@ impl<'a, P: PixelRows> Windows<'a, P> {
         }
     }
 
-    /// Loads sums and differences, minus levels, at the positions of a row that windows read; if wanted, extends the
-    /// extremes by at least the region's own columns.
+    /// Loads sums and differences, minus levels, at the positions of a row that windows read. Extends the extremes, if
+    /// given, by at least the region's own columns.
     fn load(
         &self,
         row: usize,
@@ -245,7 +244,7 @@ struct TileBuffers<R> {
 
 impl<R: Real> TileBuffers<R> {
     fn new(taps: usize, contrast: bool) -> Self {
-        // Whole vectors are read; the last lanes may lie outside the image.
+        // Whole vectors are read, whose last lanes may lie outside the image.
         let line = || vec![R::default(); COLUMNS + taps];
         let rows = || vec![Moments::default(); taps];
         Self {
@@ -258,8 +257,8 @@ impl<R: Real> TileBuffers<R> {
                 similarity: [R::default(); COLUMNS],
                 blocks: 0,
                 contrast,
-                must_all_hold: false,
-                holds: true,
+                all_required: false,
+                is_precise: true,
                 sums: [[0.0; LANES]; 2],
             },
             window_count: 0.0,

@@ -20,7 +20,7 @@ impl Window {
     pub fn gaussian(size: usize, sigma: f64) -> Self {
         let middle = (size as f64 - 1.0) / 2.0;
         let nearest = if size.is_multiple_of(2) { 0.25 } else { 0.0 };
-        // Subtracting the smallest exponent keeps at least one weight, however narrow the Gaussian is.
+        // Relative to the largest weight, so that a narrow Gaussian does not underflow to zero everywhere.
         let weight = |i: usize| match (i as f64 - middle).powi(2) - nearest {
             0.0 => 1.0,
             farther => (-0.5 * farther / sigma / sigma).exp(),
@@ -54,7 +54,7 @@ pub struct SimilaritySums {
     pub contrast: f64,
     /// Number of pixels that count.
     pub pixels: f64,
-    /// Range of both images' values if requested: covers at least all pixels in windows that count.
+    /// Range of both images' values if requested; includes at least all pixels in windows that count.
     pub range: ValueRange,
 }
 
@@ -64,12 +64,12 @@ impl SimilaritySums {
         [self.similarity, self.contrast].map(|sum| sum / self.pixels)
     }
 
-    pub(super) fn and(self, other: Self) -> Self {
+    pub(super) fn plus(self, other: Self) -> Self {
         Self {
             similarity: self.similarity + other.similarity,
             contrast: self.contrast + other.contrast,
             pixels: self.pixels + other.pixels,
-            range: self.range.and(other.range),
+            range: self.range.union(other.range),
         }
     }
 }
@@ -89,7 +89,7 @@ pub struct Selection<'a> {
     pub progress: &'a Progress,
 }
 
-/// Effect of a mask on the mean, or on windows as well.
+/// Effect of a mask.
 #[derive(Clone, Copy)]
 pub enum Mask<'a> {
     /// Windows centred on pixels outside the mask do not count.
@@ -122,7 +122,7 @@ impl<R: Real> MapRows<'_, R> {
     }
 }
 
-/// Returns the sums over all bands of `band_rows` rows; `band` gets the first and the end row, and the map's rows.
+/// Returns the sums over all bands of `band_rows` rows; `band` gets the first row, the end row and the map's rows.
 pub(super) fn sum_bands<R: Real>(
     [height, width]: [usize; 2],
     band_rows: usize,
@@ -137,5 +137,5 @@ pub(super) fn sum_bands<R: Real>(
         }
         None => (0..height.div_ceil(band_rows)).into_par_iter().map(|n| band(rows(n), None)).collect(),
     };
-    sums.into_iter().fold(SimilaritySums::default(), SimilaritySums::and)
+    sums.into_iter().fold(SimilaritySums::default(), SimilaritySums::plus)
 }

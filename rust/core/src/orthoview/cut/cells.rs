@@ -1,4 +1,4 @@
-//! Occupied cells of an octree, as far as its subtrees are known.
+//! Occupied cells of an octree whose subtrees are added one by one.
 
 use std::collections::HashMap;
 
@@ -6,10 +6,10 @@ use glam::{DVec3, UVec3};
 
 use crate::base::{Result, ensure};
 
-/// Mask of a cell that an unfinished build has not reached, nor any cell below it.
+/// Mask of a cell that an unfinished build has not reached. No cell below it has views either.
 pub const UNBUILT: u32 = 1 << 29;
 
-/// Mask of a cell whose views an unfinished build has not composed yet, though cells below it have views.
+/// Mask of a cell that an unfinished build has not reached, though cells below it have views.
 pub const PARTIAL: u32 = 1 << 30;
 
 /// Cell grid of a world. Level 0 has the leaves, the last level one cell.
@@ -37,7 +37,7 @@ impl Grid {
     }
 
     /// Returns the number of a level's cells along each axis of a subtree.
-    fn side_of_shard(&self, level: u32) -> usize {
+    fn cells_per_axis(&self, level: u32) -> usize {
         1 << (self.subtree - level % self.subtree)
     }
 }
@@ -47,7 +47,8 @@ impl Grid {
 pub struct Cells {
     /// Grid of the octree.
     pub grid: Grid,
-    /// Direction masks of each subtree's cells, level by level, by tier and position.
+    /// Direction masks of each subtree's cells, level by level. Keys are the tier, which is the lowest level divided by
+    /// the levels per subtree, and the position.
     subtrees: HashMap<(u32, UVec3), Vec<Box<[u32]>>>,
 }
 
@@ -56,8 +57,8 @@ impl Cells {
     pub fn new(grid: Grid) -> Result<Self> {
         let Grid { levels, subtree, .. } = grid;
         let is_valid = (1..=8).contains(&subtree) && (1..=32).contains(&levels);
-        let got = format!("{levels} levels, {subtree} of a subtree");
-        ensure!(is_valid, "levels", "1 to 32, and 1 to 8 of a subtree", got);
+        let got = format!("{levels} levels, {subtree} per subtree");
+        ensure!(is_valid, "levels", "1 to 32 levels, 1 to 8 of them per subtree", got);
         let is_finite = grid.origin.is_finite() && grid.side.is_finite() && grid.side > 0.0;
         let got = format!("corner {}, side {}", grid.origin, grid.side);
         ensure!(is_finite, "cell", "a finite corner and a side above 0", got);
@@ -68,7 +69,7 @@ impl Cells {
     /// list stands for an empty subtree.
     pub fn add(&mut self, tier: u32, place: UVec3, levels: Vec<Box<[u32]>>) -> Result<()> {
         for (level, masks) in (tier * self.grid.subtree..).zip(&levels) {
-            let expected = self.grid.side_of_shard(level).pow(3);
+            let expected = self.grid.cells_per_axis(level).pow(3);
             ensure!(masks.len() == expected, "levels", format!("{expected} cells of level {level}"), masks.len());
         }
         self.subtrees.insert((tier, place), levels);
@@ -86,12 +87,12 @@ impl Cells {
         (level / self.grid.subtree, place >> bits)
     }
 
-    /// Returns the bit mask of the directions from which a cell has a view, 0 for an empty cell, `UNBUILT` or `PARTIAL`;
-    /// `None` if its subtree has not been added.
+    /// Returns the bit mask of the directions from which a cell has a view, 0 for an empty cell, `UNBUILT` or
+    /// `PARTIAL`; `None` if its subtree has not been added.
     pub fn get(&self, level: u32, place: UVec3) -> Option<u32> {
         let key = self.subtree_of(level, place);
         let levels = self.subtrees.get(&key)?;
-        let side = self.grid.side_of_shard(level);
+        let side = self.grid.cells_per_axis(level);
         let Some(masks) = levels.get((level % self.grid.subtree) as usize) else { return Some(0) };
         let [x, y, z] = (place - key.1 * side as u32).to_array().map(|n| n as usize);
         Some(masks[(x * side + y) * side + z])

@@ -1,4 +1,4 @@
-//! Distance rule, from which distance a level's pixels are fine enough, and the lift of viewing directions.
+//! Distance rule, which gives the distance from which a level's pixels are fine enough; and the lift of directions.
 
 use glam::DVec3;
 
@@ -17,10 +17,11 @@ pub struct Gaze {
     pub limit: f64,
 }
 
-/// Distance rule of levels: a level's pixels are fine enough from its `start` on.
+/// Distance rule of levels: a level's pixels are fine enough at distances of at least its `start`.
 ///
-/// Distances are *apparent*: the distance from the eye divided by the factor by which acuity shrinks lengths away from
-/// the gaze. For parallel rays, whose pixel width does not depend on distance, all of them are 1.
+/// Distances are *apparent*: they grow with the angle from the gaze, because acuity falls. An apparent distance is the
+/// distance from the eye divided by `Acuity::scale`. The pixel width of parallel rays does not depend on distance, so
+/// their apparent distances are all 1.
 #[derive(Clone, Copy, Debug)]
 pub struct Rule {
     eye: DVec3,
@@ -74,8 +75,7 @@ impl Rule {
         (self.eye - self.eye.clamp(corner, corner + side)).length()
     }
 
-    /// Returns bounds of the apparent distances of a cube's points. Angles from the gaze are those of its bounding
-    /// sphere.
+    /// Returns bounds of the apparent distances of a cube's points. Its sphere bounds their angles from the gaze.
     pub fn bounds(&self, corner: DVec3, side: f64) -> [f64; 2] {
         if self.is_parallel {
             return [1.0; 2];
@@ -112,8 +112,7 @@ impl Lift {
         Ok(Self { sine, cosine })
     }
 
-    /// Rotates a unit vector by the angle towards +y, at most to +y. A vector straight down stays, because it has no
-    /// azimuth.
+    /// Rotates a unit vector by the angle towards +y, at most to +y. A vector straight down has no azimuth and stays.
     pub fn raised(self, unit: DVec3) -> DVec3 {
         let horizontal = unit.x.hypot(unit.z);
         if self.sine == 0.0 || (horizontal < MIN_SINE && unit.y < 0.0) {

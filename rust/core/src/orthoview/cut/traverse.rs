@@ -1,4 +1,4 @@
-//! Top-down traversal: a cell whose pixels are as fine as the picture's is drawn, other cells are refined.
+//! Top-down traversal: draws cells whose pixels are fine enough for the picture, and refines the others.
 
 use glam::{DVec3, DVec4, UVec3};
 
@@ -24,9 +24,9 @@ pub struct View<'a> {
     pub views: usize,
     /// Angle by which the viewer's direction is raised before the choice of views.
     pub lift: Lift,
-    /// Whether nearer leaves are drawn as geometry.
+    /// Whether leaves whose pixels are too coarse are drawn as geometry.
     pub geometry: bool,
-    /// Whether cells outside the picture count, too: a viewer may turn faster than views arrive.
+    /// Whether to include cells outside the picture, because a viewer may turn faster than views arrive.
     pub around: bool,
 }
 
@@ -41,7 +41,7 @@ pub struct Drawn {
     pub distance: f64,
     /// Whether it intersects the picture.
     pub in_picture: bool,
-    /// Whether only some of its splats are drawn, and finer cells in the place of the others.
+    /// Whether finer cells are drawn in place of some of its splats.
     pub is_partial: bool,
     /// Numbers of directions, the nearest first; the first `count` are drawn.
     pub directions: [u8; Self::MAX],
@@ -64,9 +64,9 @@ pub struct Cut {
     pub cells: Vec<Drawn>,
     /// Leaves drawn as geometry, without views.
     pub leaves: Vec<Drawn>,
-    /// Unknown subtrees, in whose place the cells above are drawn.
+    /// Subtrees that have not been added; the cells above are drawn in their place.
     pub unknown: Vec<(u32, UVec3)>,
-    /// Number of largest cells that an unfinished build has not reached, and that may be visible.
+    /// Number of possibly visible cells that an unfinished build has not reached, without the cells below them.
     pub unbuilt: usize,
 }
 
@@ -87,11 +87,12 @@ pub fn cut(cells: &Cells, view: &View<'_>) -> Result<Cut> {
     let top = cells.grid.levels - 1;
     match cells.get(top, UVec3::ZERO) {
         None => traversal.cut.unknown.push(cells.subtree_of(top, UVec3::ZERO)),
-        Some(mask) => traversal.visit(top, UVec3::ZERO, mask, Side::Across),
+        Some(mask) => traversal.visit(top, UVec3::ZERO, mask, Position::Across),
     }
     let mut cut = traversal.cut;
-    cut.cells.sort_by(|one, other| one.distance.total_cmp(&other.distance));
-    cut.leaves.sort_by(|one, other| one.distance.total_cmp(&other.distance));
+    for cells in [&mut cut.cells, &mut cut.leaves] {
+        cells.sort_by(|a, b| a.distance.total_cmp(&b.distance));
+    }
     Ok(cut)
 }
 
@@ -118,20 +119,23 @@ struct Traversal<'a> {
 }
 
 impl Traversal<'_> {
-    fn visit(&mut self, level: u32, place: UVec3, mask: u32, parent_position: Side) {
+    fn visit(&mut self, level: u32, place: UVec3, mask: u32, parent_position: Position) {
         let side = self.cells.grid.side_at(level);
         let corner = self.cells.grid.corner(level, place);
         let center = corner + side / 2.0;
-        let position =
-            if parent_position == Side::Across { cube_side(&self.frustum, center, side) } else { parent_position };
-        if mask == 0 || (position == Side::Outside && !self.view.around) {
+        let position = if parent_position == Position::Across {
+            cube_position(&self.frustum, center, side)
+        } else {
+            parent_position
+        };
+        if mask == 0 || (position == Position::Outside && !self.view.around) {
             return;
         }
         if mask == UNBUILT || (mask == PARTIAL && level == 0) {
             self.cut.unbuilt += 1;
             return;
         }
-        let (distance, in_picture) = (self.view.rule.distance(corner, side), position != Side::Outside);
+        let (distance, in_picture) = (self.view.rule.distance(corner, side), position != Position::Outside);
         let drawn = Drawn { level, place, distance, in_picture, ..Drawn::default() };
         if mask == PARTIAL {
             return self.refine(drawn, center, mask, position);
@@ -145,7 +149,7 @@ impl Traversal<'_> {
         }
     }
 
-    /// Classifies a cell. Leaves are always drawn whole, because nothing finer blends with them.
+    /// Classifies a cell. Leaves are always drawn whole, because there are no finer cells to blend with.
     fn fineness(&self, level: u32, corner: DVec3, side: f64) -> Fineness {
         let ([nearest, farthest], start) = (self.view.rule.bounds(corner, side), self.view.rule.start(level));
         match self.view.rule.band.filter(|_| level > 0) {
@@ -155,8 +159,9 @@ impl Traversal<'_> {
         }
     }
 
-    /// Visits the children of a cell and draws it if it is partial; draws it whole if the children are unknown.
-    fn refine(&mut self, drawn: Drawn, center: DVec3, mask: u32, position: Side) {
+    /// Visits the children of a cell and, if the cell is partial, draws it. If the children are unknown, draws the
+    /// whole cell instead.
+    fn refine(&mut self, drawn: Drawn, center: DVec3, mask: u32, position: Position) {
         let level = drawn.level - 1;
         let children: [(UVec3, Option<u32>); 8] = std::array::from_fn(|n| {
             let place = drawn.place * 2 + UVec3::new(n as u32 >> 2, n as u32 >> 1 & 1, n as u32 & 1);
@@ -176,7 +181,7 @@ impl Traversal<'_> {
         }
     }
 
-    /// Draws a cell, if it has views, from those of its directions nearest to the viewer's raised direction.
+    /// Draws a cell, if it has views, from its directions that are nearest to the viewer's raised direction.
     fn draw(&mut self, mut drawn: Drawn, center: DVec3, mask: u32) {
         if mask == PARTIAL {
             return;
@@ -185,9 +190,10 @@ impl Traversal<'_> {
         let raised = self.view.lift.raised(toward);
         let cosines = self.units.iter().map(|unit| [raised, toward].map(|direction| unit.dot(direction)));
         let mut candidates: Vec<([f64; 2], u8)> = cosines.zip(0..).collect();
-        // Directions of equal elevation are equally near to +y; then the viewer's own direction decides.
-        let order = |one: &[f64; 2], other: &[f64; 2]| other[0].total_cmp(&one[0]).then(other[1].total_cmp(&one[1]));
-        candidates.sort_by(|one, other| order(&one.0, &other.0).then(one.1.cmp(&other.1)));
+        // If the raised direction is +y, all directions of one elevation are equally near; the direction before raising
+        // decides between them.
+        let order = |a: &[f64; 2], b: &[f64; 2]| b[0].total_cmp(&a[0]).then(b[1].total_cmp(&a[1]));
+        candidates.sort_by(|a, b| order(&a.0, &b.0).then(a.1.cmp(&b.1)));
         for &(_, number) in candidates.iter().filter(|(_, number)| mask >> number & 1 == 1).take(self.view.views) {
             drawn.directions[drawn.count] = number;
             drawn.count += 1;
@@ -198,13 +204,13 @@ impl Traversal<'_> {
 
 /// Position of a box relative to a frustum.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Side {
+enum Position {
     Outside,
     Across,
     Inside,
 }
 
-/// Returns the half-spaces n·x + d ≥ 0 of a picture's sides and of the camera plane.
+/// Returns the half-spaces n·x + d ≥ 0 at a picture's four sides and in front of the camera plane.
 fn frustum(camera: &Camera) -> [DVec4; 5] {
     let (width, height) = (f64::from(camera.width), f64::from(camera.height));
     let corners = [(0.0, 0.0), (width, 0.0), (width, height), (0.0, height)].map(|(x, y)| camera.ray(x, y));
@@ -217,27 +223,27 @@ fn frustum(camera: &Camera) -> [DVec4; 5] {
     };
     let side = |n: usize| {
         let ((from, ray), (to, next_ray)) = (corners[n], corners[(n + 1) % 4]);
-        // Two rays of one side, from one point or, for parallel rays, side by side.
+        // A second vector in the plane of this side.
         let second = if camera.is_parallel() { to - from } else { next_ray };
         plane(ray.cross(second), camera.position + from)
     };
     // Normal of the camera plane, from two steps in the picture.
     let [first, right, _, down] = corners.map(|(start, direction)| start + direction);
-    let before = plane((right - first).cross(down - first), camera.position + start);
-    [side(0), side(1), side(2), side(3), before]
+    let front = plane((right - first).cross(down - first), camera.position + start);
+    [side(0), side(1), side(2), side(3), front]
 }
 
-/// Returns whether a cube lies outside one half-space, inside all of them, or across.
-fn cube_side(frustum: &[DVec4], center: DVec3, side: f64) -> Side {
-    let mut position = Side::Inside;
+/// Returns the position of a cube: outside one half-space, inside all of them, or across a boundary.
+fn cube_position(frustum: &[DVec4], center: DVec3, side: f64) -> Position {
+    let mut position = Position::Inside;
     for plane in frustum {
         let distance = plane.truncate().dot(center) + plane.w;
         let half_extent = plane.truncate().abs().element_sum() * side / 2.0;
         if distance < -half_extent {
-            return Side::Outside;
+            return Position::Outside;
         }
         if distance < half_extent {
-            position = Side::Across;
+            position = Position::Across;
         }
     }
     position

@@ -1,11 +1,11 @@
-//! Blending of levels: in the band beyond a level's start only some of its splats are drawn, the others are replaced
-//! by splats of finer levels.
+//! Blending of levels: in a band of distances from a level's start on, some of its splats are drawn, and splats of
+//! finer levels replace the others.
 //!
 //! A pixel of a view is *coarse enough* if its surface is at a distance of at least start · (1 + band · h), where h is
 //! a hash of the pixel's position from 0 to 1. So the fraction of such pixels grows from 0 to 1 over the band. A pixel
 //! is *covered* if the pixel above it, in its parent's view from the same direction, is coarse enough or covered.
-//! Pixels that are coarse enough and not covered are drawn. A pixel's surface is that of the view's first layer; the
-//! second layer follows it.
+//! Pixels that are coarse enough and not covered are drawn. The surfaces of a view's first layer decide this for its
+//! second layer, too.
 
 use std::collections::{HashMap, HashSet};
 
@@ -39,7 +39,7 @@ pub fn blended(views: &[Placed<'_>], rule: &Rule) -> Result<Vec<Vec<Option<Splat
     let Some(band) = rule.band else { return Ok(selections) };
     let partial = partial_cells(views);
     let is_selected = |view: &Placed<'_>| view.is_partial || partial.contains(&parent_of(view.cell));
-    // One request for all: a vector that grows takes up to twice its length, and masks of pixels are shorter.
+    // All selections: a growing vector takes up to twice its length, and the masks take less than the splats.
     let layers = views.iter().filter(|view| is_selected(view)).flat_map(|view| &view.layers);
     room_for(3 * layers.map(|layer| layer.bytes() as u64).sum::<u64>())?;
     let mut coarse_pixels: HashMap<(u32, UVec3, u8), Bits> = HashMap::new();
@@ -54,11 +54,11 @@ pub fn blended(views: &[Placed<'_>], rule: &Rule) -> Result<Vec<Vec<Option<Splat
             let selector = PixelSelector::new(view, rule, band, has_parent);
             let pixels = selector.select(coarse_pixels.get(&(parent.0, parent.1, view.direction)));
             let pitch = selector.blocks_per_row;
-            let select_splats = |layer: &&Splats| Some(layer.select(|block| pixels.drawn[number_of(block, pitch)]));
+            let select_splats = |layer: &&Splats| Some(layer.select(|block| pixels.drawn[block_number(block, pitch)]));
             Some((number, view.layers.iter().map(select_splats).collect(), pixels.coarse))
         };
-        let of_level: Vec<(usize, Vec<_>, Bits)> = views.par_iter().enumerate().filter_map(select_view).collect();
-        for (number, layers, coarse) in of_level {
+        let selected: Vec<(usize, Vec<_>, Bits)> = views.par_iter().enumerate().filter_map(select_view).collect();
+        for (number, layers, coarse) in selected {
             let view = &views[number];
             selections[number] = layers;
             if view.is_partial {
@@ -69,25 +69,25 @@ pub fn blended(views: &[Placed<'_>], rule: &Rule) -> Result<Vec<Vec<Option<Splat
     Ok(selections)
 }
 
-/// Estimates how many splats of views are drawn, by the distances of blocks' centres.
+/// Estimates from the distances of the blocks' centres how many splats are drawn.
 pub fn expected(views: &[Placed<'_>], rule: &Rule) -> f64 {
     let partial = partial_cells(views);
-    let of_view = |view: &Placed<'_>| -> f64 {
+    let count_in_view = |view: &Placed<'_>| -> f64 {
         let all_splats = || view.layers.iter().map(|layer| layer.count() as f64).sum();
         let has_parent = partial.contains(&parent_of(view.cell));
         let Some(band) = rule.band.filter(|_| view.is_partial || has_parent) else { return all_splats() };
         let fraction = |distance: f64, level: u32| ((distance / rule.start(level) - 1.0) / band).clamp(0.0, 1.0);
-        let of_block = |layer: &Splats, block: &Block| {
+        let count_in_block = |layer: &Splats, block: &Block| {
             let middle = |axis: usize| f64::from(block.extent.low[axis] + block.extent.high[axis]) / 2.0;
             let distance = rule.apparent(layer.place(middle(0), middle(1), middle(2)));
             let coarse = if view.is_partial { fraction(distance, view.cell.0) } else { 1.0 };
             let covered = if has_parent { fraction(distance, view.cell.0 + 1) } else { 0.0 };
             f64::from(block.shown.count_ones()) * (coarse - covered).max(0.0)
         };
-        view.layers.iter().flat_map(|layer| layer.blocks.iter().map(move |block| of_block(layer, block))).sum()
+        view.layers.iter().flat_map(|layer| layer.blocks.iter().map(move |block| count_in_block(layer, block))).sum()
     };
     // Summed in the order of the views, so that the sum does not depend on the number of threads.
-    views.par_iter().map(of_view).collect::<Vec<f64>>().iter().sum()
+    views.par_iter().map(count_in_view).collect::<Vec<f64>>().iter().sum()
 }
 
 fn partial_cells(views: &[Placed<'_>]) -> HashSet<(u32, UVec3)> {
@@ -98,8 +98,8 @@ fn parent_of((level, place): (u32, UVec3)) -> (u32, UVec3) {
     (level + 1, place / 2)
 }
 
-/// Returns the number of a block, row by row.
-fn number_of(block: &Block, blocks_per_row: usize) -> usize {
+/// Returns the number of a block, counted row by row.
+fn block_number(block: &Block, blocks_per_row: usize) -> usize {
     let [column, row] = block.corner.map(usize::from);
     row / BLOCK * blocks_per_row + column / BLOCK
 }
@@ -129,7 +129,7 @@ struct PixelSelector<'a> {
     has_parent: bool,
     /// First column and row in the parent's picture of twice its size.
     offset: [usize; 2],
-    /// Centre of the first pixel, half a step before the front, and the steps to others.
+    /// Centre of the first pixel, half a depth step before the front; and the vectors of a column, a row and a step.
     start: DVec3,
     steps: [DVec3; 3],
 }
@@ -144,8 +144,8 @@ impl<'a> PixelSelector<'a> {
         Self { view, first, rule, band, blocks_per_row, has_parent, offset: [column, row], start, steps }
     }
 
-    /// Selects pixels. `parent` has the pixels of the parent's view from the same direction that are coarse enough or
-    /// covered; without it, the surfaces of this view's pixels decide instead.
+    /// Selects pixels. `parent` marks the pixels of the parent's view from the same direction that are coarse enough or
+    /// covered. Without that view, the distances of this view's surfaces decide whether pixels are covered.
     fn select(&self, parent: Option<&Bits>) -> SelectedPixels {
         let count = self.blocks_per_row * self.blocks_per_row;
         let mut selected = SelectedPixels { drawn: vec![0; count], coarse: vec![0; count] };
@@ -161,7 +161,7 @@ impl<'a> PixelSelector<'a> {
                 coarse |= u64::from(!self.view.is_partial || self.is_coarse(self.view.cell, pixel, distance)) << bit;
                 shown &= shown - 1;
             }
-            let number = number_of(block, self.blocks_per_row);
+            let number = block_number(block, self.blocks_per_row);
             (selected.drawn[number], selected.coarse[number]) = (coarse & !covered, coarse | covered);
         }
         selected

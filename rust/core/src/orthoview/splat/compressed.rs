@@ -1,4 +1,4 @@
-//! Lossless packing of a view's splats into words for adapters, block by block.
+//! Lossless packing of a view's splats into words for GPUs, block by block.
 //!
 //! Each field of a block's splats (depth, normal, colour, kind) is stored as its difference from the block's minimum,
 //! with as many bits as the maximum difference needs. Depths are first reduced by a plane through the block, because
@@ -26,7 +26,7 @@ const BALL: u32 = 0;
 const BORDERING: u32 = 1;
 const INNER: u32 = 2;
 
-/// A view's splats as words: headers of all blocks, then the bits of their splats.
+/// A view's splats as words: the headers of all blocks, followed by the splats' bits.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Compressed {
     /// Words, with one extra at the end, so that fields can be read from pairs of words.
@@ -39,7 +39,7 @@ pub struct Compressed {
 type Fields = [u32; FIELDS];
 
 impl Splats {
-    /// Packs the splats into words for adapters.
+    /// Packs the splats into words for GPUs.
     pub fn compressed(&self) -> Compressed {
         let blocks = self.blocks.iter().map(|block| (block, &self.texels[block.first as usize..]));
         Compressed::from_blocks(blocks)
@@ -110,7 +110,7 @@ fn fields_of(block: &Block, texels: &[Packed]) -> Vec<Fields> {
     set_bits(block.shown).zip(texels).map(of_pixel).collect()
 }
 
-/// Returns the depth steps by which a plane is deeper at a pixel than at the first one.
+/// Returns the depth steps by which a plane is deeper at a pixel than at the block's first pixel.
 fn rise(pixel: u32, [by_column, by_row]: [i16; 2]) -> i32 {
     let (column, row) = ((pixel % BLOCK as u32) as i32, (pixel / BLOCK as u32) as i32);
     (column * i32::from(by_column) + row * i32::from(by_row)) >> FRACTION
@@ -193,8 +193,8 @@ mod tests {
     use crate::base::random;
 
     /// Reads the pixel and the kind of a splat from a view's words as a shader does.
-    fn read(found: &Compressed, block: usize, lane: u32) -> Option<(Packed, u32)> {
-        let head = &found.words[HEAD * block..][..HEAD];
+    fn read(compressed: &Compressed, block: usize, lane: u32) -> Option<(Packed, u32)> {
+        let head = &compressed.words[HEAD * block..][..HEAD];
         let shown = u64::from(head[2]) << 32 | u64::from(head[1]);
         if shown >> lane & 1 == 0 {
             return None;
@@ -206,10 +206,10 @@ mod tests {
         }
         let kind = head[4] >> shift;
         let rank = (shown & ((1 << lane) - 1)).count_ones();
-        let mut at = 32 * (HEAD * found.blocks + head[3] as usize) as u64;
+        let mut at = 32 * (HEAD * compressed.blocks + head[3] as usize) as u64;
         at += u64::from(rank * widths.iter().sum::<u32>());
         let differences: Fields = widths.map(|width| {
-            let bit = |n: u64| (found.words[((at + n) / 32) as usize] >> ((at + n) % 32) & 1) << n;
+            let bit = |n: u64| (compressed.words[((at + n) / 32) as usize] >> ((at + n) % 32) & 1) << n;
             let value = (0..u64::from(width)).map(bit).sum();
             at += u64::from(width);
             value
@@ -222,6 +222,7 @@ mod tests {
         Some((texel, kind + differences[6]))
     }
 
+    /// Checks that blocks are restored, each masks (shown, surfels, inner) and texels; returns the number of words.
     fn check(masks_and_texels: &[(u64, u64, u64, Vec<Packed>)]) -> usize {
         let block = |(number, &(shown, surfels, inner, _)): (usize, &(u64, u64, u64, Vec<Packed>))| {
             let corner = [8 * number as u16, 16 * number as u16];
@@ -229,26 +230,26 @@ mod tests {
         };
         let blocks: Vec<Block> = masks_and_texels.iter().enumerate().map(block).collect();
         let texels = masks_and_texels.iter().map(|(.., texels)| &texels[..]);
-        let found = Compressed::from_blocks(blocks.iter().zip(texels));
+        let compressed = Compressed::from_blocks(blocks.iter().zip(texels));
         for (number, (shown, surfels, inner, texels)) in masks_and_texels.iter().enumerate() {
-            assert_eq!(found.words[HEAD * number], number as u32 | (2 * number as u32) << 16);
+            assert_eq!(compressed.words[HEAD * number], number as u32 | (2 * number as u32) << 16);
             let mut texels = texels.iter();
             for lane in 0..64 {
                 let expected = (shown >> lane & 1 == 1).then(|| {
                     let surfel = (surfels >> lane & 1) as u32;
                     (*texels.next().unwrap(), surfel + ((surfels & inner) >> lane & 1) as u32)
                 });
-                assert_eq!(read(&found, number, lane), expected, "block {number}, pixel {lane}");
+                assert_eq!(read(&compressed, number, lane), expected, "block {number}, pixel {lane}");
             }
         }
-        found.words.len()
+        compressed.words.len()
     }
 
     #[test]
     fn all_bits_are_restored() {
         let draw = |salt, n, most: u64| random::bits(salt, n, 0) % most;
         let block = |n: u64| {
-            // From all equal to all different.
+            // Values of a block: from all equal to all different.
             let spread = n % 17;
             let value = |salt, lane, bits: u64| {
                 let most = (1 << spread.min(bits)) as u64;
@@ -267,7 +268,7 @@ mod tests {
     }
 
     #[test]
-    fn a_plane_takes_its_heads_alone() {
+    fn a_plane_needs_only_headers() {
         // Depths that rise by 12 and fall by 3.5 steps per pixel; all other fields are equal.
         let texel = |lane: u64| {
             let depth = 40_000 + 12 * (lane % 8) as i32 + ((-28 * (lane / 8) as i32) >> 3);

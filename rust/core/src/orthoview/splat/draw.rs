@@ -1,4 +1,4 @@
-//! Drawing of views: culls their boxes and draws them tile by tile.
+//! Drawing of views tile by tile, with culling of their boxes.
 
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
@@ -6,7 +6,7 @@ use rayon::prelude::*;
 
 use super::lanes::Lanes;
 use super::picture::{Counts, Picture, PreparedPicture, PreparedView};
-use super::projector::{Projector, Rect, Seen, Sight};
+use super::projector::{Projector, Rect, ScreenBounds, ViewProjection};
 use super::resolve::Resolver;
 use super::screen::{Screen, draw_splats};
 use super::splats::{BoxOfBlocks, Extent, Splats};
@@ -18,7 +18,7 @@ use crate::render::{Frame, Limits};
 /// smaller tiles project more splats several times.
 const TILE: i32 = 256;
 
-/// Maximum width and height of a tile, pixels, so that several threads share a small picture, too.
+/// Maximum width and height of a tile, pixels, so that several threads share even a small picture.
 const MAX_PIXELS: i32 = 128;
 
 /// A box of a view's blocks that lies in the picture.
@@ -27,11 +27,11 @@ pub(super) struct Part<'a> {
     /// Number of the view.
     pub number: u32,
     pub contents: &'a BoxOfBlocks,
-    pub seen: Seen,
+    pub bounds: ScreenBounds,
     is_drawn: AtomicBool,
 }
 
-/// Draws views; samples without a splat show `picture.before`, the frame of all other surfaces, or the sky.
+/// Draws views. Samples without a splat show `picture.before`, which has all other surfaces, or the sky.
 pub fn draw(views: &[&Splats], picture: &Picture<'_>, progress: &Progress) -> Result<(Frame, Counts)> {
     let prepared = PreparedPicture::new(views, picture)?;
     let parts = parts_of(&prepared)?;
@@ -42,7 +42,7 @@ pub fn draw(views: &[&Splats], picture: &Picture<'_>, progress: &Progress) -> Re
     picture.channels.check_room(picture.pixel_count() as u64)?;
     let tiles = Rect::of_camera(picture.camera).tiles((TILE / picture.grid as i32).min(MAX_PIXELS));
     progress.expect(tiles.len() as u64);
-    let images = |tile: &Rect| {
+    let images_of_tile = |tile: &Rect| {
         let samples = |corner: [i32; 2]| corner.map(|pixel| pixel * picture.grid as i32);
         let rect = Rect { low: samples(tile.low), high: samples(tile.high) };
         let mut screen = Screen::new(rect, |x, y| resolver.initial_key(x, y));
@@ -50,12 +50,12 @@ pub fn draw(views: &[&Splats], picture: &Picture<'_>, progress: &Progress) -> Re
         progress.report(1)?;
         Ok((*tile, resolver.resolve(&screen, tile)))
     };
-    for (Rect { low, high }, part) in tiles.par_iter().map(images).collect::<Result<Vec<_>>>()? {
+    for (Rect { low, high }, part) in tiles.par_iter().map(images_of_tile).collect::<Result<Vec<_>>>()? {
         let corner = low.map(|pixel| pixel as usize);
         frame.put(&part, picture.camera.width as usize, corner, (high[0] - low[0]) as usize);
     }
-    let count = |counts: &dyn Fn(&Part<'_>) -> bool| {
-        parts.iter().filter(|part| counts(part)).map(|part| u64::from(part.contents.count)).sum()
+    let count = |is_counted: &dyn Fn(&Part<'_>) -> bool| {
+        parts.iter().filter(|part| is_counted(part)).map(|part| u64::from(part.contents.count)).sum()
     };
     let counts = Counts {
         total: prepared.splat_count(),
@@ -68,18 +68,18 @@ pub fn draw(views: &[&Splats], picture: &Picture<'_>, progress: &Progress) -> Re
 
 /// Returns the boxes of all views that may be visible, the nearest first.
 pub(super) fn parts_of<'a>(prepared: &'a PreparedPicture<'a>) -> Result<Vec<Part<'a>>> {
-    // Lists of threads, and all.
+    // The threads' lists, and the list of all parts.
     room_for_values::<[Part<'a>; 2]>(prepared.views.iter().map(|view| view.splats.boxes.len()).sum())?;
     let picture = &Rect::of_camera(&prepared.camera);
-    let of_view = |(number, view): (usize, &'a PreparedView<'a>)| {
+    let parts_of_view = |(number, view): (usize, &'a PreparedView<'a>)| {
         view.splats.boxes.iter().filter_map(move |contents| {
-            let seen = view.sight.project_extent(&contents.extent, picture)?;
-            let part = Part { view, number: number as u32, contents, seen, is_drawn: AtomicBool::new(false) };
-            (!part.seen.rect.is_empty()).then_some(part)
+            let bounds = view.projection.project_extent(&contents.extent, picture)?;
+            let part = Part { view, number: number as u32, contents, bounds, is_drawn: AtomicBool::new(false) };
+            (!part.bounds.rect.is_empty()).then_some(part)
         })
     };
-    let mut parts: Vec<Part<'a>> = prepared.views.par_iter().enumerate().flat_map_iter(of_view).collect();
-    parts.sort_by(|one, other| other.seen.nearness.total_cmp(&one.seen.nearness));
+    let mut parts: Vec<Part<'a>> = prepared.views.par_iter().enumerate().flat_map_iter(parts_of_view).collect();
+    parts.sort_by(|a, b| b.bounds.nearness.total_cmp(&a.bounds.nearness));
     Ok(parts)
 }
 
@@ -87,23 +87,23 @@ pub(super) fn parts_of<'a>(prepared: &'a PreparedPicture<'a>) -> Result<Vec<Part
 fn draw_tile(screen: &mut Screen, parts: &[Part<'_>], projector: &Projector, limits: &Limits) -> u64 {
     let (mut lanes, mut projected) = (Lanes::default(), 0);
     for part in parts {
-        let rect = part.seen.rect.overlap(&screen.rect);
-        if rect.is_empty() || screen.hides(&rect, part.seen.nearness) {
+        let rect = part.bounds.rect.overlap(&screen.rect);
+        if rect.is_empty() || screen.hides(&rect, part.bounds.nearness) {
             continue;
         }
         part.is_drawn.store(true, Ordering::Relaxed);
         let (view, splats) = (part.view, part.view.splats);
         let [first, end] = part.contents.blocks.map(|block| block as usize);
         for block in &splats.blocks[first..end] {
-            if rect != part.seen.rect && !reaches(&view.sight, &block.extent, &screen.rect) {
+            if rect != part.bounds.rect && !overlaps(&view.projection, &block.extent, &screen.rect) {
                 continue;
             }
             let [column, row] = block.corner.map(f64::from);
-            let start = view.sight.evaluate([column + 0.5, row + 0.5, -0.5]);
+            let start = view.projection.evaluate([column + 0.5, row + 0.5, -0.5]);
             let count = lanes.gather(splats, block);
             lanes.project(count, start.map(|value| value as f32), &view.constants, &screen.rect, screen.pitch());
             if !limits.is_none() {
-                lanes.limit(count, splats, block, projector, limits);
+                lanes.hide_outside(count, splats, block, projector, limits);
             }
             draw_splats(screen, &lanes, count, view.first + block.first);
             projected += count as u64;
@@ -112,6 +112,6 @@ fn draw_tile(screen: &mut Screen, parts: &[Part<'_>], projector: &Projector, lim
     projected
 }
 
-fn reaches(sight: &Sight, extent: &Extent, rect: &Rect) -> bool {
-    sight.project_extent(extent, rect).is_some_and(|seen| !seen.rect.is_empty())
+fn overlaps(projection: &ViewProjection, extent: &Extent, rect: &Rect) -> bool {
+    projection.project_extent(extent, rect).is_some_and(|bounds| !bounds.rect.is_empty())
 }

@@ -1,6 +1,6 @@
-//! Projection of all splats of a block at once: positions, ellipses and nearness.
+//! Projection of all splats of a block together: positions, ellipses and nearness.
 
-use super::projector::{Projector, Rect, Sight, ordered};
+use super::projector::{Projector, Rect, ViewProjection, sortable_bits};
 use super::splats::{BLOCK, BORDER, Block, MIN_COSINE, SQUARED_RADIUS, Splats};
 use crate::base::simd::vectorized;
 use crate::render::Limits;
@@ -30,29 +30,29 @@ pub(super) struct Constants {
     pub axes: [[f32; 3]; 3],
     /// Scale of a normal's components to −1 … 1.
     pub scale: f32,
-    pub least_distance: f32,
+    /// Minimum W of visible splats.
+    pub min_w: f32,
     is_parallel: bool,
 }
 
 impl Constants {
-    pub fn new(splats: &Splats, projector: &Projector, sight: &Sight) -> Self {
+    pub fn new(splats: &Splats, projector: &Projector, projection: &ViewProjection) -> Self {
         let pitch = splats.pitch();
         let [right, up, toward] = splats.frame.axes();
-        let radius = splats.ball() / f64::from(SQUARED_RADIUS).sqrt();
+        let radius = splats.ball_radius() / f64::from(SQUARED_RADIUS).sqrt();
         let single = |values: [f64; 3]| values.map(|value| value as f32);
         Self {
-            steps: sight.steps.map(single),
+            steps: projection.steps.map(single),
             gradients: projector.rows.map(|row| single((row * radius).to_array())),
             axes: [right * (pitch.x / pitch.z), up * (pitch.y / pitch.z), toward].map(|axis| single(axis.to_array())),
             scale: 2.0 / ((1u32 << splats.format.normal_bits) - 2) as f32,
-            least_distance: sight.least as f32,
+            min_w: projection.min_w as f32,
             is_parallel: projector.is_parallel,
         }
     }
 }
 
-/// Projected splats of a block. A point with offset p from a splat's centre belongs to it if |inverse · p|² is at most
-/// `SQUARED_RADIUS`.
+/// Projected splats of a block. An offset p from the centre belongs to a splat if |inverse · p|² ≤ `SQUARED_RADIUS`.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Lanes {
     pub place: [Lane; 2],
@@ -66,7 +66,7 @@ pub(super) struct Lanes {
     /// First and last column and row of the pixels that may show it.
     pub first: [Lane<i32>; 2],
     pub last: [Lane<i32>; 2],
-    /// Index among the keys, for a splat that only its centre's pixel shows, as most are.
+    /// Index of the centre's key if only that pixel shows the splat, as for most; else `HIDDEN` or `SEVERAL_PIXELS`.
     pub slot: Lane<i32>,
     /// Order part of that key.
     pub order: Lane<u32>,
@@ -103,8 +103,15 @@ impl Lanes {
         count
     }
 
-    /// Hides the loaded and projected splats whose centres lie outside the limits.
-    pub fn limit(&mut self, count: usize, splats: &Splats, block: &Block, projector: &Projector, limits: &Limits) {
+    /// Hides projected splats whose centres lie outside the limits.
+    pub fn hide_outside(
+        &mut self,
+        count: usize,
+        splats: &Splats,
+        block: &Block,
+        projector: &Projector,
+        limits: &Limits,
+    ) {
         let [left, top] = block.corner.map(f64::from);
         for (group, n) in (0..count).map(|n| (n / GROUP, n % GROUP)) {
             let pixel = [self.column[group][n], self.row[group][n]].map(f64::from);
@@ -144,36 +151,36 @@ fn dot(axis: &[f32; 3], x: f32, y: f32, z: f32) -> f32 {
     axis[0] * x + axis[1] * y + axis[2] * z
 }
 
-/// Evaluates a function at a position in the block.
+/// Evaluates one of the functions X, Y, W at a position in the block.
 #[inline(always)]
-fn evaluate(start: f32, steps: &[[f32; 3]; 3], of: usize, column: f32, row: f32, depth: f32) -> f32 {
-    start + column * steps[0][of] + row * steps[1][of] + depth * steps[2][of]
+fn evaluate(start: f32, steps: &[[f32; 3]; 3], function: usize, column: f32, row: f32, depth: f32) -> f32 {
+    start + column * steps[0][function] + row * steps[1][function] + depth * steps[2][function]
 }
 
 /// Returns the derivative of a position X/W, given the changes of X and W.
 #[inline(always)]
-fn position_derivative<const PARALLEL: bool>(change: f32, of_distance: f32, place: f32, per_w: f32) -> f32 {
-    if PARALLEL { change } else { (change - place * of_distance) * per_w }
+fn position_derivative<const PARALLEL: bool>(change: f32, w_change: f32, place: f32, per_w: f32) -> f32 {
+    if PARALLEL { change } else { (change - place * w_change) * per_w }
 }
 
 /// Returns the derivative of nearness, given the change of W.
 #[inline(always)]
-fn nearer<const PARALLEL: bool>(of_distance: f32, per_w: f32) -> f32 {
-    if PARALLEL { -of_distance } else { -of_distance * per_w * per_w }
+fn nearness_derivative<const PARALLEL: bool>(w_change: f32, per_w: f32) -> f32 {
+    if PARALLEL { -w_change } else { -w_change * per_w * per_w }
 }
 
-/// Returns the squared half extent of a ball along an axis: that of the length of the gradient of X/W.
+/// Returns the squared half extent of a ball along an axis: the squared length of the gradient of X/W or Y/W.
 #[inline(always)]
-fn disc<const PARALLEL: bool>(gradients: &[[f32; 3]; 3], of: usize, place: f32, per_w: f32) -> f32 {
-    let (gradient, distance) = (&gradients[of], &gradients[2]);
-    let x = position_derivative::<PARALLEL>(gradient[0], distance[0], place, per_w);
-    let y = position_derivative::<PARALLEL>(gradient[1], distance[1], place, per_w);
-    let z = position_derivative::<PARALLEL>(gradient[2], distance[2], place, per_w);
+fn squared_ball_extent<const PARALLEL: bool>(gradients: &[[f32; 3]; 3], axis: usize, place: f32, per_w: f32) -> f32 {
+    let (gradient, w_gradient) = (&gradients[axis], &gradients[2]);
+    let x = position_derivative::<PARALLEL>(gradient[0], w_gradient[0], place, per_w);
+    let y = position_derivative::<PARALLEL>(gradient[1], w_gradient[1], place, per_w);
+    let z = position_derivative::<PARALLEL>(gradient[2], w_gradient[2], place, per_w);
     x * x + y * y + z * z
 }
 
-/// Returns the first and last pixel along an axis with centres within an extent, including the centre's own pixel, and
-/// the latter.
+/// Returns three pixels along an axis: the first and the last whose centres lie within an extent, and the one that
+/// contains the splat's centre, which always belongs to the range.
 #[inline(always)]
 fn pixels(place: f32, half: f32, low: f32, high: f32) -> (i32, i32, i32) {
     let middle = place.floor();
@@ -228,10 +235,16 @@ fn project_all<const PARALLEL: bool>(
                 position_derivative::<PARALLEL>(u1, u2, y, per_w) * factor,
                 position_derivative::<PARALLEL>(v1, v2, y, per_w) * factor,
             );
-            let (u_near, v_near) = (nearer::<PARALLEL>(u2, per_w) * factor, nearer::<PARALLEL>(v2, per_w) * factor);
-            let (ball_x, ball_y) = (disc::<PARALLEL>(gradients, 0, x, per_w), disc::<PARALLEL>(gradients, 1, y, per_w));
-            // Half extents along both axes over the radius. Roots and divisions are the slowest steps, so both kinds share
-            // them.
+            let (u_near, v_near) = (
+                nearness_derivative::<PARALLEL>(u2, per_w) * factor,
+                nearness_derivative::<PARALLEL>(v2, per_w) * factor,
+            );
+            let (ball_x, ball_y) = (
+                squared_ball_extent::<PARALLEL>(gradients, 0, x, per_w),
+                squared_ball_extent::<PARALLEL>(gradients, 1, y, per_w),
+            );
+            // Half extents along both axes, divided by the radius. Surfels and balls share the square roots and
+            // divisions, which are the slowest steps.
             let wide = if is_surfel { ux * ux + vx * vx } else { ball_x }.sqrt();
             let high = if is_surfel { uy * uy + vy * vy } else { ball_y }.sqrt();
 
@@ -257,8 +270,8 @@ fn project_all<const PARALLEL: bool>(
             (lanes.place[0][group][n], lanes.place[1][group][n]) = (x, y);
 
             let extent = if is_flat { 0.0 } else { radius };
-            // Near the eye the derivative at the centre would sweep ellipses across the picture.
-            let margin = w - constants.least_distance;
+            // Near the eye the linear approximation at the centre would stretch ellipses across the picture.
+            let margin = w - constants.min_w;
             let reach = if PARALLEL { 0.0 } else { radius * factor };
             let is_shown = margin >= 0.0 && reach * reach * (u2 * u2 + v2 * v2) <= margin * margin;
             let (first_x, last_x, middle_x) = pixels(x, extent * wide, left, rightmost);
@@ -282,7 +295,7 @@ fn project_all<const PARALLEL: bool>(
             let (p, q) = (i00 * offset_x + i01 * offset_y, i10 * offset_x + i11 * offset_y);
             let is_inside = p * p + q * q <= SQUARED_RADIUS;
             let nearness = if is_inside { nearness + slope[1] * offset_y + slope[0] * offset_x } else { nearness };
-            lanes.order[group][n] = ordered(nearness);
+            lanes.order[group][n] = sortable_bits(nearness);
         }
     }
 }

@@ -1,8 +1,8 @@
 //! Splatting: pictures of views from any viewpoint.
 //!
 //! A pixel of a view becomes a splat: a piece of a plane (a surfel), drawn as an ellipse, or a ball, drawn as a disc.
-//! The screen is divided into tiles, one per thread: it draws the views' boxes nearest first, and culls those that are
-//! hidden by what is drawn. The nearest splat at a sample wins.
+//! Threads draw one tile of the screen each: the boxes of the views, the nearest first, without those hidden by splats
+//! drawn before. The nearest splat at a sample wins.
 
 mod blend;
 mod compressed;

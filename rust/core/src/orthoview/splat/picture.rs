@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::lanes::Constants;
-use super::projector::{Projector, Sight};
+use super::projector::{Projector, ViewProjection};
 use super::splats::Splats;
 use crate::base::{Result, ensure};
 use crate::camera::Camera;
@@ -23,11 +23,11 @@ pub struct Picture<'a> {
     pub channels: Channels,
     /// Samples along each axis of a pixel.
     pub grid: u32,
-    /// Visible volume, in world coordinates; a splat is visible if its centre is.
+    /// Visible volume, in world coordinates. Splats whose centres lie in it are drawn.
     pub limits: Limits,
     /// Pixels to draw.
     pub pixels: Pixels<'a>,
-    /// Frame of everything else that is visible: `grid` × `grid` pixels per pixel, with `range` among its images.
+    /// Frame of all other surfaces, drawn before: `grid` × `grid` pixels per pixel, with `range` among its images.
     pub before: Option<&'a Frame>,
 }
 
@@ -56,7 +56,7 @@ pub(super) struct PreparedView<'a> {
     pub splats: &'a Splats,
     /// Index of its first splat among those of all views.
     pub first: u32,
-    pub sight: Sight,
+    pub projection: ViewProjection,
     pub constants: Constants,
 }
 
@@ -87,8 +87,9 @@ impl<'a> PreparedPicture<'a> {
         let projector = Projector::new(&camera);
         let mut first = 0;
         let prepare = |&splats: &&'a Splats| {
-            let sight = Sight::new(splats, &projector);
-            let view = PreparedView { splats, first, sight, constants: Constants::new(splats, &projector, &sight) };
+            let projection = ViewProjection::new(splats, &projector);
+            let view =
+                PreparedView { splats, first, projection, constants: Constants::new(splats, &projector, &projection) };
             first += splats.count() as u32;
             view
         };

@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use super::draw::{Part, parts_of};
 use super::lanes::Constants;
 use super::picture::{Counts, Picture, PreparedPicture, PreparedView};
-use super::projector::{Rect, Seen, ordered};
+use super::projector::{Rect, ScreenBounds, sortable_bits};
 use super::resolve::Resolver;
 use super::screen::{BEFORE, Key};
 use super::splats::{BORDER, MIN_COSINE, SQUARED_RADIUS, Splats};
@@ -21,8 +21,7 @@ use crate::render::{Frame, Sample};
 /// Maximum number of blocks per piece.
 const PIECE: u32 = 16;
 
-/// Maximum number of samples that a shader thread visits per piece: software drivers end a thread's loops after 65,535
-/// iterations.
+/// Maximum samples that a shader thread visits per piece: software drivers end a thread's loops after 65,535 steps.
 const MAX_SAMPLES: f64 = 49_152.0;
 
 /// Width and height of the tiles in which large splats are drawn.
@@ -43,8 +42,7 @@ pub struct ViewNumbers {
     pub axes: [[f32; 4]; 3],
     /// Scale of a normal's components to −1 … 1, and the minimum visible distance.
     pub rest: [f32; 4],
-    /// Number of its first block among those of all views, and three numbers for the location of its words on an
-    /// adapter.
+    /// Number of its first block among those of all views, and three numbers for the location of its words on the GPU.
     pub place: [u32; 4],
 }
 
@@ -54,11 +52,11 @@ pub struct ViewNumbers {
 pub struct Piece {
     /// Functions of the projector at the centre of the pixel `corner`, half a step before the front.
     pub start: [f32; 3],
-    /// Nearness of the nearest point, as `order` of keys.
+    /// Nearness of the nearest point, encoded like the order of a key.
     pub order: u32,
-    /// First column and row of the part of the picture in which it is drawn.
+    /// First column and row of the image rectangle in which it is drawn.
     pub low: [i32; 2],
-    /// End column and row of this part.
+    /// End column and row of this rectangle.
     pub high: [i32; 2],
     /// Column and row of a pixel of the view.
     pub corner: [u32; 2],
@@ -66,7 +64,7 @@ pub struct Piece {
     pub view: u32,
     /// First block, and from bit 24 on the number of blocks; bit 31 belongs to the shader.
     pub blocks: u32,
-    /// Number of its splats; divided among the parts if it is drawn in several.
+    /// Number of its splats. If a block has several pieces, each has its share.
     pub count: u32,
     /// Padding.
     pub unused: [u32; 3],
@@ -139,25 +137,26 @@ impl<'a> Plan<'a> {
         Ok(plan)
     }
 
+    /// Divides a part into pieces.
     fn pieces_of(&self, part: &Part<'_>) -> Vec<Piece> {
         let [first, end] = part.contents.blocks;
         let samples = self.max_samples(part);
         if samples > MAX_SAMPLES {
-            return (first..end).flat_map(|block| self.tiled(part.number, block)).collect();
+            return (first..end).flat_map(|block| self.tiled_pieces(part.number, block)).collect();
         }
         let count = ((MAX_SAMPLES / samples) as u32).clamp(1, PIECE);
         let starts = (first..end).step_by(count as usize);
-        starts.map(|block| self.piece(part.number, block..(block + count).min(end), &part.seen)).collect()
+        starts.map(|block| self.piece(part.number, block..(block + count).min(end), &part.bounds)).collect()
     }
 
     /// Returns the pieces of a block with large splats: one for each tile of its part of the picture.
-    fn tiled(&self, number: u32, block: u32) -> Vec<Piece> {
+    fn tiled_pieces(&self, number: u32, block: u32) -> Vec<Piece> {
         let view = &self.prepared.views[number as usize];
         let picture = Rect::of_camera(&self.prepared.camera);
-        let Some(seen) = view.sight.project_extent(&view.splats.blocks[block as usize].extent, &picture) else {
+        let Some(bounds) = view.projection.project_extent(&view.splats.blocks[block as usize].extent, &picture) else {
             return vec![];
         };
-        let (tiles, undivided) = (seen.rect.tiles(TILE), self.piece(number, block..block + 1, &seen));
+        let (tiles, undivided) = (bounds.rect.tiles(TILE), self.piece(number, block..block + 1, &bounds));
         let count_before = |n: usize| (u64::from(undivided.count) * n as u64 / tiles.len() as u64) as u32;
         let piece = |(n, &Rect { low, high }): (usize, &Rect)| {
             let count = count_before(n + 1) - count_before(n);
@@ -167,16 +166,16 @@ impl<'a> Plan<'a> {
     }
 
     /// Creates a piece of some blocks of a view.
-    fn piece(&self, number: u32, blocks: Range<u32>, seen: &Seen) -> Piece {
+    fn piece(&self, number: u32, blocks: Range<u32>, bounds: &ScreenBounds) -> Piece {
         let view = &self.prepared.views[number as usize];
         let contents = &view.splats.blocks[blocks.start as usize..blocks.end as usize];
         let corner = contents.first().map(|block| block.corner).unwrap_or_default();
         let [column, row] = corner.map(f64::from);
         Piece {
-            start: view.sight.evaluate([column + 0.5, row + 0.5, -0.5]).map(|value| value as f32),
-            order: ordered(seen.nearness),
-            low: seen.rect.low,
-            high: seen.rect.high,
+            start: view.projection.evaluate([column + 0.5, row + 0.5, -0.5]).map(|value| value as f32),
+            order: sortable_bits(bounds.nearness),
+            low: bounds.rect.low,
+            high: bounds.rect.high,
             corner: corner.map(u32::from),
             view: number,
             blocks: blocks.start | (contents.len() as u32) << 24,
@@ -187,13 +186,12 @@ impl<'a> Plan<'a> {
 
     /// Returns the maximum number of samples in the bounding rectangle of a splat of a part.
     fn max_samples(&self, part: &Part<'_>) -> f64 {
-        let Seen { rect, nearness } = part.seen;
+        let ScreenBounds { rect, nearness } = part.bounds;
         let size = [0, 1].map(|axis| f64::from(rect.high[axis] - rect.low[axis]));
         if !nearness.is_finite() {
             return size[0] * size[1];
         }
-        // The ellipse's axes u and v have |u|² + |v|² ≤ (x² + y²)/c² for a pixel of x × y metres and the minimum
-        // cosine c.
+        // The ellipse's axes u, v have |u|² + |v|² ≤ (x² + y²)/c² for a pixel of x × y metres and the minimum cosine c.
         let radius = f64::from(BORDER * SQUARED_RADIUS.sqrt() / MIN_COSINE);
         let reach = radius * self.prepared.views[part.number as usize].splats.pitch().truncate().length();
         let [x, y, w] = self.prepared.projector.rows.map(DVec3::length);
@@ -242,7 +240,7 @@ impl<'a> Plan<'a> {
         Ok(Some(keys))
     }
 
-    /// Returns the frame from a shader's results in all rows.
+    /// Returns the frame that a shader's images give.
     pub fn frame(&self, found: &Found<'_>) -> Result<Frame> {
         let (picture, channels) = (self.picture(), self.picture().channels);
         let resolver = Resolver::new(&self.prepared);
@@ -282,7 +280,7 @@ impl<'a> Plan<'a> {
         Counts { total, in_picture: self.in_picture, seen, projected: seen }
     }
 
-    /// Converts a shader's key to one with the number of a splat instead of block and position.
+    /// Converts a shader's key, which has a block and a position in it, to one with the number of a splat.
     fn key(&self, [number, order]: [u32; 2]) -> Key {
         let place = !number;
         if place == BEFORE {
@@ -305,7 +303,7 @@ impl Constants {
             steps: rows(&self.steps),
             gradients: rows(&self.gradients),
             axes: rows(&self.axes),
-            rest: [self.scale, self.least_distance, 0.0, 0.0],
+            rest: [self.scale, self.min_w, 0.0, 0.0],
             place: [first, 0, 0, 0],
         }
     }

@@ -6,13 +6,13 @@ use super::splats::{Extent, Splats};
 use crate::camera::Camera;
 use crate::render::Limits;
 
-/// Three linear functions (X, Y, W) of points. A perspective camera shows a point at X/W, Y/W, and W is its distance
-/// along the axis; a camera with parallel rays shows it at X, Y, and W is its distance from the image plane.
+/// Three linear functions (X, Y, W) of points. A perspective camera shows a point at (X/W, Y/W), and W is its distance
+/// along the axis. A camera with parallel rays shows it at (X, Y), and W is its distance from the image plane.
 ///
-/// *Nearness* orders points along a ray: 1/W or −W. On a plane it is linear in the image position.
+/// *Nearness* orders points along a ray: 1/W with perspective, −W for parallel rays. It is linear on a plane's image.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::orthoview) struct Projector {
-    /// World position of the eye; for parallel rays that of the corner of the image plane.
+    /// World position of the eye or, for parallel rays, of the corner of the image plane.
     pub eye: DVec3,
     /// Gradients of the functions, pixels and metres.
     pub rows: [DVec3; 3],
@@ -51,9 +51,9 @@ impl Rect {
     }
 }
 
-/// Image rectangle that may show a part of a view, and the nearness of its nearest point.
+/// Bounds of a part of a view: the image rectangle that may show it, and the nearness of its nearest point.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Seen {
+pub(super) struct ScreenBounds {
     pub rect: Rect,
     pub nearness: f32,
 }
@@ -103,7 +103,7 @@ impl Projector {
 
 /// A view relative to a camera: the projector's functions at its pixels and depth steps.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Sight {
+pub(super) struct ViewProjection {
     /// Functions at the corner of the first pixel, at the front.
     start: [f64; 3],
     /// Changes per column, row and depth step.
@@ -111,18 +111,18 @@ pub(super) struct Sight {
     /// Columns, rows and depth steps by which splats extend beyond their pixels.
     margin: [f64; 3],
     /// Minimum W of visible splats.
-    pub least: f64,
+    pub min_w: f64,
     is_parallel: bool,
 }
 
-impl Sight {
+impl ViewProjection {
     pub fn new(splats: &Splats, projector: &Projector) -> Self {
-        let min_distance = MIN_DISTANCE * splats.pitch().truncate().max_element();
+        let min_w = MIN_DISTANCE * splats.pitch().truncate().max_element();
         Self {
             start: projector.evaluate(splats.place(0.0, 0.0, 0.0)),
             steps: splats.steps().map(|step| projector.derivative(step)),
             margin: splats.margin(),
-            least: if projector.is_parallel { 0.0 } else { min_distance },
+            min_w: if projector.is_parallel { 0.0 } else { min_w },
             is_parallel: projector.is_parallel,
         }
     }
@@ -133,47 +133,47 @@ impl Sight {
         [0, 1, 2].map(|n| self.start[n] + column * by_column[n] + row * by_row[n] + depth * by_depth[n])
     }
 
-    /// Returns the image rectangle that may show a part of the view; `None` behind the camera.
-    pub fn project_extent(&self, extent: &Extent, picture: &Rect) -> Option<Seen> {
+    /// Returns the bounds of a part of the view on the screen; `None` behind the camera.
+    pub fn project_extent(&self, extent: &Extent, picture: &Rect) -> Option<ScreenBounds> {
         let low: [f64; 3] = std::array::from_fn(|axis| f64::from(extent.low[axis]) - self.margin[axis]);
         let high: [f64; 3] = std::array::from_fn(|axis| f64::from(extent.high[axis]) + self.margin[axis]);
         let (mut nearest, mut farthest) = (f64::MAX, f64::MIN);
-        let (mut least, mut most) = ([f64::MAX; 2], [f64::MIN; 2]);
+        let (mut min, mut max) = ([f64::MAX; 2], [f64::MIN; 2]);
         for n in 0..8 {
             let pick = |axis: usize| if n >> axis & 1 == 1 { high[axis] } else { low[axis] };
             let [x, y, w] = self.evaluate([pick(0), pick(1), pick(2)]);
             (nearest, farthest) = (nearest.min(w), farthest.max(w));
             let per_w = if self.is_parallel { 1.0 } else { 1.0 / w };
-            (least[0], most[0]) = (least[0].min(x * per_w), most[0].max(x * per_w));
-            (least[1], most[1]) = (least[1].min(y * per_w), most[1].max(y * per_w));
+            (min[0], max[0]) = (min[0].min(x * per_w), max[0].max(x * per_w));
+            (min[1], max[1]) = (min[1].min(y * per_w), max[1].max(y * per_w));
         }
-        if farthest < self.least {
+        if farthest < self.min_w {
             return None;
         }
-        if nearest < self.least {
-            return Some(Seen { rect: *picture, nearness: f32::INFINITY });
+        if nearest < self.min_w {
+            return Some(ScreenBounds { rect: *picture, nearness: f32::INFINITY });
         }
-        // A spare pixel on each side, for that of a splat's centre.
+        // A spare pixel on each side, because the pixel that contains a splat's centre always shows the splat.
         let rect = Rect {
-            low: [(least[0] - 1.0) as i32, (least[1] - 1.0) as i32],
-            high: [(most[0] + 2.0) as i32, (most[1] + 2.0) as i32],
+            low: [(min[0] - 1.0) as i32, (min[1] - 1.0) as i32],
+            high: [(max[0] + 2.0) as i32, (max[1] + 2.0) as i32],
         };
         let nearness = if self.is_parallel { -nearest } else { 1.0 / nearest };
-        // The margin of the depth exceeds the roundings of float32.
-        Some(Seen { rect: rect.overlap(picture), nearness: (nearness as f32).next_up() })
+        // The depth margin is larger than the rounding errors of float32.
+        Some(ScreenBounds { rect: rect.overlap(picture), nearness: (nearness as f32).next_up() })
     }
 }
 
 /// Returns a number that orders like a float and is never 0.
 #[inline(always)]
-pub(super) fn ordered(value: f32) -> u32 {
+pub(super) fn sortable_bits(value: f32) -> u32 {
     let bits = value.to_bits() as i32;
     // Flips all bits of negative numbers, otherwise only the sign.
     (bits ^ ((bits >> 31) | i32::MIN)) as u32
 }
 
-/// Inverse of `ordered`.
-pub(super) fn unordered(number: u32) -> f32 {
+/// Inverse of `sortable_bits`.
+pub(super) fn float_of_bits(number: u32) -> f32 {
     let bits = number as i32;
     f32::from_bits((bits ^ (!(bits >> 31) | i32::MIN)) as u32)
 }

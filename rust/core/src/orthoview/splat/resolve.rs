@@ -3,7 +3,7 @@
 use glam::{DVec3, Vec3};
 
 use super::picture::PreparedPicture;
-use super::projector::{Rect, unordered};
+use super::projector::{Rect, float_of_bits};
 use super::screen::{BEFORE, Key, Screen};
 use super::splats::{Packed, Splats};
 use crate::render::shade::{background, irradiance};
@@ -18,7 +18,7 @@ pub(super) struct Resolver<'a> {
     directions: [Vec3; 3],
 }
 
-/// Cache of the last splat: neighbouring samples often show the same.
+/// Cache of the last splat, which neighbouring samples often show, too.
 #[derive(Clone, Copy)]
 struct Last {
     number: u32,
@@ -29,8 +29,8 @@ struct Last {
     view: usize,
 }
 
-/// Returns whether a normal points away from the viewer along a ray: a cell's side cuts surfaces open, and views see
-/// their insides, whose outsides belong to the next cell.
+/// Returns whether a normal points away from the viewer of a ray. Views can show insides, because a cell's side cuts
+/// closed surfaces open.
 fn faces_away(normal: Vec3, direction: Vec3) -> bool {
     normal.dot(direction) > 0.0
 }
@@ -84,7 +84,7 @@ impl<'a> Resolver<'a> {
             if channels.any_sampled() {
                 for (row, column) in (0..grid).flat_map(|row| (0..grid).map(move |column| (row, column))) {
                     let sample = (x * grid + column, y * grid + row);
-                    let (sample_color, covered) = self.sampled(screen.key(sample.0, sample.1), sample, &mut last);
+                    let (sample_color, covered) = self.sample_color(screen.key(sample.0, sample.1), sample, &mut last);
                     (0..3).for_each(|i| color[i] += sample_color[i]);
                     coverage += covered;
                 }
@@ -104,7 +104,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// Returns colour and coverage of a sample.
-    fn sampled(&self, key: Key, (x, y): (i32, i32), last: &mut Last) -> ([f32; 3], f32) {
+    fn sample_color(&self, key: Key, (x, y): (i32, i32), last: &mut Last) -> ([f32; 3], f32) {
         let number = key.number();
         if number == BEFORE {
             return match self.prepared.picture.before {
@@ -137,7 +137,7 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// Returns the channels of the centre of a pixel.
+    /// Returns the channels at the centre of a pixel.
     pub fn sample(&self, key: Key, (x, y): (i32, i32)) -> Sample {
         let number = key.number();
         if number == BEFORE {
@@ -147,7 +147,7 @@ impl<'a> Resolver<'a> {
             };
         }
         let (splats, texel) = self.splat(number, self.view(number, 0));
-        let distance = self.prepared.projector.distance(f64::from(unordered(key.order())));
+        let distance = self.prepared.projector.distance(f64::from(float_of_bits(key.order())));
         let (start, direction) = self.prepared.camera.ray(f64::from(x) + 0.5, f64::from(y) + 0.5);
         let place = self.prepared.camera.position + start + direction * distance - self.prepared.picture.origin;
         let normal = splats.normal(texel);

@@ -1,22 +1,22 @@
 //! Screen tile with the nearest splat at each of its samples.
 
 use super::lanes::{GROUP, Lanes, SEVERAL_PIXELS};
-use super::projector::{Rect, ordered};
+use super::projector::{Rect, sortable_bits};
 use super::splats::SQUARED_RADIUS;
 use crate::base::simd::vectorized;
 
-/// Nearest splat at a sample: its nearness in the upper half, and the complement of its number in the lower half, so
-/// that the largest key wins, and the first splat among equally near ones. 0 means empty.
+/// Nearest splat at a sample: its nearness in the upper half, and the complement of its number in the lower half. The
+/// largest key wins, so the first of equally near splats does. 0 means empty.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Key(pub u64);
 
-/// Number of samples that show `before` instead of a splat.
+/// Splat number in the key of a sample that shows `before` instead of a splat.
 pub(super) const BEFORE: u32 = u32::MAX;
 
 impl Key {
     #[inline(always)]
     pub fn new(nearness: f32, number: u32) -> Self {
-        Self::from_halves([!number, ordered(nearness)])
+        Self::from_halves([!number, sortable_bits(nearness)])
     }
 
     #[inline(always)]
@@ -74,9 +74,9 @@ impl Screen {
         self.keys[self.slot(x, y)]
     }
 
-    /// Returns whether all samples of a part already show something nearer.
+    /// Returns whether all samples of a rectangle already show something nearer.
     pub fn hides(&self, part: &Rect, nearness: f32) -> bool {
-        let order = ordered(nearness);
+        let order = sortable_bits(nearness);
         let columns = (part.high[0] - part.low[0]) as usize;
         (part.low[1]..part.high[1]).all(|y| {
             let first = self.slot(part.low[0], y);
@@ -127,11 +127,11 @@ fn draw_all(screen: &mut Screen, lanes: &Lanes, count: usize, first: u32) {
                 for (i, key) in keys.iter_mut().enumerate() {
                     let offset_x = offset_x + i as f32;
                     let (p, q) = (a * offset_x + p_start, c * offset_x + q_start);
-                    // A line has inverse axes for which all samples of a row may appear to be inside.
+                    // With the inverse axes of an edge-on surfel, all samples of a row may be inside.
                     let is_inside = p * p + q * q <= SQUARED_RADIUS && from + i as i32 <= right;
                     let is_middle = from + i as i32 == middle;
                     let nearness = if is_inside { start + slope[0] * offset_x } else { nearness };
-                    let splat_key = u64::from(ordered(nearness)) << 32 | number;
+                    let splat_key = u64::from(sortable_bits(nearness)) << 32 | number;
                     key.0 = key.0.max(if is_inside | is_middle { splat_key } else { 0 });
                 }
                 from += STRIDE as i32;

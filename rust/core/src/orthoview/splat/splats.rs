@@ -1,5 +1,5 @@
-//! A view's pixels as splats, in blocks of 8 × 8 pixels, and selections of them: those in a box (a substitute for a
-//! smaller cell whose own views are missing), and those beyond a cylinder.
+//! A view's pixels as splats, in blocks of 8 × 8 pixels. Splats can be clipped to a box, in place of a smaller cell
+//! whose own views are missing, or to the outside of a cylinder.
 
 use glam::{DVec3, Vec3};
 
@@ -14,23 +14,23 @@ use crate::orthoview::view::{Format, Texel, Views};
 /// Side of a block, pixels.
 pub(super) const BLOCK: usize = 8;
 
-/// Boxes along each axis of a view, the units of culling.
+/// Boxes along each axis of a view. A box is the unit of culling.
 const BOXES: usize = 4;
 
 /// Squared radius of a surfel's ellipse in pixels of its view: the corners of the pixel lie on it.
 pub const SQUARED_RADIUS: f32 = 0.5;
 
-/// Radius factor of surfels at the border of a surface. A pixel stays empty if the surface covers less than a quarter
-/// of its width, and ellipses of radius 1/√2 end at their pixels' corners: where the surface continues in the next
-/// cell, a gap of up to half a pixel would remain. A radius of 1.27/√2 = 0.9 reaches a quarter of a pixel beyond the
-/// corners, √(0.9² − 0.5²) = 0.75 from the middle.
+/// Radius factor of surfels at the border of a surface. A border pixel is empty if the surface covers less than a
+/// quarter of its width, and ellipses of radius 1/√2 end at the corners of their pixels. So a gap of up to half a pixel
+/// would remain where the surface continues in the next cell. A radius of 1.27/√2 = 0.9 closes it: the ellipse reaches
+/// a quarter of a pixel beyond the corners, √(0.9² − 0.5²) = 0.75 from the middle.
 pub const BORDER: f32 = 1.27;
 
 /// Number of neighbours of a pixel in the interior of a view.
-const ALL: u8 = 8;
+const ALL_NEIGHBOURS: u8 = 8;
 
-/// Minimum cosine between a surfel's normal and the direction of its view. Neighbours on steeper surfaces are not
-/// connected (`connect`), so only normals averaged across edges are steeper; their surfels would be stretched far.
+/// Minimum cosine between a surfel's normal and the direction of its view. Pixels of steeper surfaces are not connected
+/// (`connect`), so only normals averaged across edges are steeper. The minimum bounds the length of their surfels.
 pub const MIN_COSINE: f32 = 0.25;
 
 /// A part of a view: pixels from `low` to `high` (columns, rows, depth steps; `high` is exclusive).
@@ -167,7 +167,7 @@ impl Splats {
             block.shown |= bit;
             let neighbours = connected[y * size + x];
             block.surfels |= if is_surfel(neighbours) { bit } else { 0 };
-            block.inner |= if neighbours == ALL { bit } else { 0 };
+            block.inner |= if neighbours == ALL_NEIGHBOURS { bit } else { 0 };
             block.extent.add(&Extent::of_pixel([x as u16, y as u16], texel.depth));
             self.texels.push(Packed::new(texel.depth, texel.normal, texel.color));
         }
@@ -185,7 +185,7 @@ impl Splats {
         self.boxes.push(BoxOfBlocks { extent, blocks: [first as u32, self.blocks.len() as u32], count });
     }
 
-    /// Returns the splats of a block, with the numbers of their pixels in the block, and their columns and rows.
+    /// Returns the splats of a block: the pixel's number in the block, its column and row, and the splat.
     fn pixels(&self, block: &Block) -> impl Iterator<Item = (u32, [u16; 2], Packed)> {
         let [left, top] = block.corner;
         let texels = &self.texels[block.first as usize..];
@@ -238,7 +238,7 @@ impl Splats {
         self.texels.len()
     }
 
-    /// Returns the memory, bytes.
+    /// Returns the size in memory, bytes.
     pub fn bytes(&self) -> usize {
         size_of::<Self>() + size_of_val(&*self.texels) + size_of_val(&*self.blocks) + size_of_val(&*self.boxes)
     }
@@ -249,21 +249,21 @@ impl Splats {
         self.extents / DVec3::new(size, size, f64::from(self.format.steps))
     }
 
-    /// Returns the radius of a ball, which bounds its pixel, metres.
-    pub(super) fn ball(&self) -> f64 {
+    /// Returns the radius of a ball, which encloses its pixel, metres.
+    pub(super) fn ball_radius(&self) -> f64 {
         self.pitch().truncate().length() / 2.0
     }
 
     /// Returns the columns, rows and depth steps by which splats extend beyond their pixels and depths.
     pub(super) fn margin(&self) -> [f64; 3] {
-        let (pitch, ball, radius) = (self.pitch(), self.ball(), f64::from(BORDER * SQUARED_RADIUS.sqrt()));
+        let (pitch, ball, radius) = (self.pitch(), self.ball_radius(), f64::from(BORDER * SQUARED_RADIUS.sqrt()));
         let in_plane = |pitch: f64| radius.max(ball / pitch) - 0.5;
         let slope = radius * (pitch.x + pitch.y) / f64::from(MIN_COSINE);
         [in_plane(pitch.x), in_plane(pitch.y), slope.max(ball) / pitch.z]
     }
 
-    /// Returns the position at a column, a row and a number of depth steps, which may be fractional: integers are the
-    /// corners of pixels, and 0 steps the front of the cell's extent.
+    /// Returns the position at a column, a row and a number of depth steps, which may be fractional. Integer columns
+    /// and rows are corners of pixels; 0 steps is the front of the cell's extent.
     pub(super) fn place(&self, column: f64, row: f64, depth: f64) -> DVec3 {
         let [right, up, toward] = self.frame.axes();
         let (pitch, half) = (self.pitch(), self.extents / 2.0);
@@ -281,6 +281,6 @@ impl Splats {
 
     /// Returns the unit normal of a splat.
     pub(super) fn normal(&self, texel: Packed) -> Vec3 {
-        normals::decoded(texel.normal(), self.format.normal_bits)
+        normals::decode(texel.normal(), self.format.normal_bits)
     }
 }

@@ -11,8 +11,8 @@ use crate::render::temporal::cubic;
 /// Key of a pixel without a surface.
 const NOTHING: u64 = u64::MAX;
 
-/// Averages a picture over the `poses` of cameras of its size. Each pixel is the mean over the poses that show
-/// something there; without any it keeps its colour.
+/// Averages a picture over the `poses` of cameras of its size. A pixel becomes the mean over the poses that show
+/// something there, and keeps its colour if none does.
 ///
 /// Forward warping: each pixel of the picture is drawn where a pose shows its surface, and the nearest surface wins.
 pub fn blur(image: &Image<'_>, poses: &[&Camera], blurred: &mut [Color], progress: &Progress) -> Result<()> {
@@ -46,27 +46,27 @@ fn warp(image: &Image<'_>, pose: &Camera) -> Vec<Option<Color>> {
         let (start, direction) = rays.ray((pixel % width) as f64 + 0.5, (pixel / width) as f64 + 0.5);
         let inverse = 1.0 / f64::from(image.range[pixel]);
         let offset = (image.camera.position + start - projector.eye) * inverse + direction;
-        let place = image_position(projector.homogeneous(offset, inverse))?;
-        Some((place, (projector.distance_of(offset) / inverse) as f32))
+        let position = image_position(projector.homogeneous(offset, inverse))?;
+        Some((position, (projector.distance_of(offset) / inverse) as f32))
     };
-    // Key: distance in the upper half, pixel number in the lower; the smallest key is the nearest surface, the first
-    // of equal ones.
+    // Key: distance in the upper half, pixel number in the lower. The smallest key wins: the nearest surface, and the
+    // first of equally near ones.
     let mut nearest = vec![NOTHING; width * height];
     for pixel in 0..width * height {
-        if let Some((place, distance)) = show(pixel) {
-            let is_inside = (0.0..width as f64).contains(&place.x) && (0.0..height as f64).contains(&place.y);
+        if let Some((position, distance)) = show(pixel) {
+            let is_inside = (0.0..width as f64).contains(&position.x) && (0.0..height as f64).contains(&position.y);
             if is_inside && distance >= 0.0 {
                 let key = u64::from(distance.to_bits()) << 32 | pixel as u64;
-                let target = &mut nearest[place.y as usize * width + place.x as usize];
+                let target = &mut nearest[position.y as usize * width + position.x as usize];
                 *target = key.min(*target);
             }
         }
     }
     let color = |(target, key): (usize, u64)| {
         let pixel = (key & u64::from(u32::MAX)) as usize;
-        let (place, _) = (key != NOTHING).then(|| show(pixel)).flatten()?;
-        // The surface is shown beside the pixel's centre, so the centre shows a point offset to the other side.
-        let offset = [(target % width) as f64 + 0.5 - place.x, (target / width) as f64 + 0.5 - place.y];
+        let (position, _) = (key != NOTHING).then(|| show(pixel)).flatten()?;
+        // The warped point misses the centre of its target pixel; the source is offset by as much.
+        let offset = [(target % width) as f64 + 0.5 - position.x, (target / width) as f64 + 0.5 - position.y];
         let source = [(pixel % width) as f64 + 0.5 + offset[0], (pixel / width) as f64 + 0.5 + offset[1]];
         Some(cubic(image.color, width, source).map(|value| value.max(0.0)))
     };

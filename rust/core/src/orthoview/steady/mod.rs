@@ -1,4 +1,4 @@
-//! Prevention of popping: pictures of one moment reprojected to the camera of another.
+//! Prevention of popping by reprojection of pictures to the camera of another moment.
 //!
 //! `Past::blend` fades a picture into the previous one, surface by surface; `blur` averages a picture over poses.
 

@@ -1,5 +1,5 @@
-//! Pictures with the distances of their surfaces, and an earlier one, looked up where a later one shows the same surfaces.
-//! Homogeneous points include the sky.
+//! Pictures with the distances of their surfaces, and the reprojection of an earlier picture to the camera of a later
+//! one. Points are homogeneous, so that they include the sky.
 
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
@@ -53,16 +53,15 @@ pub(super) fn image_position(point: DVec3) -> Option<DVec2> {
     (point.z > 0.0).then(|| point.truncate() / point.z)
 }
 
-/// Relative tolerance of distances of one surface if pixel motion is given: surfaces may then move, so a surface at
-/// another distance is a different one.
+/// Relative tolerance of the distances of one surface if pixel motion is given. Parallax is then no test, because
+/// surfaces may move; a surface at another distance is a different one.
 const SAME_DISTANCE: f64 = 0.02;
-/// Maximum distance in pixels at which a surface is still shown by the same pixel.
+/// Maximum parallax in pixels at which two surfaces count as one.
 const MAX_PARALLAX: f64 = 0.5;
-/// Speed from which a surface fades as a moving one, pixels per picture. Each look-up between pixels blurs, but hardly
-/// at a tenth of a pixel.
+/// Speed from which a surface fades at the full rate of moving ones, pixels per picture. Look-ups between pixels blur,
+/// but hardly at a tenth of a pixel.
 const MOVING: f64 = 0.1;
-/// Minimum total weight of the agreeing taps among the four around a position. A single tap reaches it only if it is
-/// the nearest.
+/// Minimum total weight of the agreeing taps around a position. A single tap reaches it only if it is the nearest.
 const MIN_WEIGHT: f64 = 0.25;
 
 /// Fade rate of colours: the time between two pictures divided by the time in which a difference falls to 1/e.
@@ -75,8 +74,8 @@ pub struct Fade {
 }
 
 impl Fade {
-    /// Returns the exponent at a speed, pixels per picture. It is also the maximum distance in pixels between two
-    /// surfaces that count as one, so a vanished surface trails a moving one by at most a pixel while it fades.
+    /// Returns the exponent at a speed, pixels per picture. The exponent also limits the parallax in pixels at which
+    /// two surfaces count as one, so the afterimage of a moving surface trails it by at most a pixel.
     fn exponent(&self, speed: f64) -> f64 {
         self.still + (self.moving - self.still) * (speed / MOVING).min(1.0)
     }
@@ -95,19 +94,19 @@ pub struct Past<'a> {
 /// (origin, direction, inverse): the point at 1/inverse along a direction, from an origin relative to the earlier eye.
 type PointOnRay = (DVec3, DVec3, f64);
 
-/// Test whether a distance in the earlier picture agrees with a pixel of the later one.
+/// Test whether a distance in the earlier picture agrees with the surface of a pixel of the later one.
 enum Test {
-    /// A surface at the inverse distance s would appear |e (s − s₀) / (a s + b)| pixels from the pixel; it agrees up
-    /// to `farthest`.
-    Parallax { e: f64, s: f64, a: f64, b: f64, farthest: f64 },
-    /// The distance must be the same.
+    /// A surface at the inverse distance x would appear |e (x − s) / (a x + b)| pixels from the pixel. It agrees up to
+    /// `max_parallax` pixels.
+    Parallax { e: f64, s: f64, a: f64, b: f64, max_parallax: f64 },
+    /// The inverse distance must be s.
     Distance { s: f64 },
 }
 
 impl Test {
-    fn holds(&self, inverse: f64) -> bool {
+    fn accepts(&self, inverse: f64) -> bool {
         match *self {
-            Self::Parallax { e, s, a, b, farthest } => e * (inverse - s).abs() <= farthest * (a * inverse + b),
+            Self::Parallax { e, s, a, b, max_parallax } => e * (inverse - s).abs() <= max_parallax * (a * inverse + b),
             Self::Distance { s } => (inverse - s).abs() <= SAME_DISTANCE * s,
         }
     }
@@ -123,10 +122,10 @@ impl<'a> Past<'a> {
 
     /// Blends a picture with this one where both show the same surface; elsewhere the picture stays.
     ///
-    /// A surface found at the previous position of a pixel's surface counts as the same if it would now appear near
-    /// the pixel; its distance may differ. With `motion`, the pixels to the right and down by which surfaces have
-    /// moved, surfaces may move on their own, and distances must be equal. `agrees` receives where surfaces are the
-    /// same.
+    /// Each pixel's surface is looked up at its position in the earlier picture. The surface found there counts as the
+    /// same if it would now appear near the pixel, even at another distance. `motion` has the pixels to the right and
+    /// down by which surfaces have moved; with it, the distances must be equal. `agrees` receives whether the surfaces
+    /// are the same.
     pub fn blend(
         &self,
         now: &Image<'_>,
@@ -159,11 +158,11 @@ impl<'a> Past<'a> {
                         self.reproject_moved(position - DVec2::from_array(motion[pixel].map(f64::from)), point)
                     }
                 };
-                let before = reprojection.and_then(|(place, test)| Some((place, self.color(place, &test)?)));
+                let before = reprojection.and_then(|(earlier, test)| Some((earlier, self.color(earlier, &test)?)));
                 let color = now.color[pixel];
                 agrees[column] = before.is_some();
-                mixed[column] = before.map_or(color, |(place, before)| {
-                    let weight = (-fade.exponent(position.distance(place))).exp() as f32;
+                mixed[column] = before.map_or(color, |(earlier, before)| {
+                    let weight = (-fade.exponent(position.distance(earlier))).exp() as f32;
                     std::array::from_fn(|i| color[i] + (before[i] - color[i]) * weight)
                 });
             }
@@ -171,15 +170,15 @@ impl<'a> Past<'a> {
         })
     }
 
-    /// Returns the previous position of a point of a later picture, and the test for the surface there. The later
-    /// camera, `now`, shows the point at `at`.
+    /// Returns where the earlier picture shows a point, and the test for the surface there. The later camera, `now`,
+    /// shows the point at `position`.
     fn reproject(&self, now: &Projector, fade: &Fade, position: DVec2, point: PointOnRay) -> Option<(DVec2, Test)> {
         let (origin, direction, inverse) = point;
         let offset = origin * inverse + direction;
-        let place = image_position(self.projector.homogeneous(offset, inverse))?;
+        let earlier = image_position(self.projector.homogeneous(offset, inverse))?;
         let distance = self.projector.distance_of(offset);
         let (start, toward) = if self.projector.is_parallel {
-            let (start, toward) = self.rays.ray(place.x, place.y);
+            let (start, toward) = self.rays.ray(earlier.x, earlier.y);
             (self.image.camera.position + start, toward)
         } else {
             (self.projector.eye, offset / distance)
@@ -188,30 +187,29 @@ impl<'a> Past<'a> {
         // The later camera shows the point at 1/s from `start` at (A s + B)/(a s + b).
         let (start_point, direction_point) = (now.homogeneous(start - now.eye, 1.0), now.homogeneous(toward, 0.0));
         let e = (start_point.truncate() - position * start_point.z).length();
-        let farthest = fade.exponent(position.distance(place)).min(MAX_PARALLAX);
-        Some((place, Test::Parallax { e, s, a: start_point.z, b: direction_point.z, farthest }))
+        let max_parallax = fade.exponent(position.distance(earlier)).min(MAX_PARALLAX);
+        Some((earlier, Test::Parallax { e, s, a: start_point.z, b: direction_point.z, max_parallax }))
     }
 
-    /// Same as `reproject`, for the given position from which a point has moved.
-    fn reproject_moved(&self, place: DVec2, (origin, direction, inverse): PointOnRay) -> Option<(DVec2, Test)> {
+    /// Same as `reproject`, for a point that was at `position` in the earlier picture.
+    fn reproject_moved(&self, position: DVec2, (origin, direction, inverse): PointOnRay) -> Option<(DVec2, Test)> {
         let distance = self.projector.distance_of(origin * inverse + direction);
-        place.is_finite().then_some((place, Test::Distance { s: inverse / distance }))
+        position.is_finite().then_some((position, Test::Distance { s: inverse / distance }))
     }
 
     /// Returns the colour at a position from the agreeing pixels; `None` outside the picture and if too few agree.
-    fn color(&self, place: DVec2, test: &Test) -> Option<Color> {
+    fn color(&self, position: DVec2, test: &Test) -> Option<Color> {
         let (width, height) = (self.image.camera.width as usize, self.image.camera.height as usize);
-        let is_inside = (0.0..=width as f64).contains(&place.x) && (0.0..=height as f64).contains(&place.y);
+        let is_inside = (0.0..=width as f64).contains(&position.x) && (0.0..=height as f64).contains(&position.y);
         if !is_inside {
             return None;
         }
-        let (columns, rows) = (Taps::new(place.x, width), Taps::new(place.y, height));
-        let holds = |i: usize, j: usize| test.holds(self.inverse[rows.pixels[j] * width + columns.pixels[i]]);
+        let (columns, rows) = (Taps::new(position.x, width), Taps::new(position.y, height));
+        let agrees = |i: usize, j: usize| test.accepts(self.inverse[rows.pixels[j] * width + columns.pixels[i]]);
         let pixel = |i: usize, j: usize| self.image.color[rows.pixels[j] * width + columns.pixels[i]];
-        if (0..4).all(|j| (0..4).all(|i| holds(i, j))) {
-            let color = cubic(self.image.color, width, place.to_array());
-            // Clamped, because an overshooting cubic would draw a line along edges, which would grow from picture to
-            // picture.
+        if (0..4).all(|j| (0..4).all(|i| agrees(i, j))) {
+            let color = cubic(self.image.color, width, position.to_array());
+            // Clamped, because a cubic overshoots at edges, and the overshoot would grow from picture to picture.
             let around = [pixel(1, 1), pixel(2, 1), pixel(1, 2), pixel(2, 2)];
             return Some(std::array::from_fn(|c| {
                 let (low, high) = around
@@ -222,7 +220,7 @@ impl<'a> Past<'a> {
         }
         let (mut sum, mut total) = ([0.0; 3], 0.0);
         for (i, j) in [(1, 1), (2, 1), (1, 2), (2, 2)] {
-            if holds(i, j) {
+            if agrees(i, j) {
                 let weight = columns.weight(i) * rows.weight(j);
                 let color = pixel(i, j);
                 (0..3).for_each(|c| sum[c] += f64::from(color[c]) * weight);

@@ -1,4 +1,4 @@
-//! Background behind near geometry: the environment map; for the ideal picture, the hit of a ray from the centre; the
+//! Background behind near geometry: the environment map, for the ideal picture the hits of rays from the centre, or the
 //! sky if there is no far part.
 
 use glam::{DVec3, Vec3};
@@ -14,8 +14,8 @@ use crate::morph::Morph;
 use crate::scene::Scene;
 use crate::trace::{All, AlphaFilter, Hit, Ray, closest_hits};
 
-/// Relative range by which a fragment may lie behind the map before it counts as hidden. It covers the error of a half
-/// float, and of a range taken half a texel away on a surface at 45° in a map of 512 texels.
+/// Relative range by which a fragment may lie behind the map before it counts as hidden. It covers the rounding of half
+/// floats, and the difference over half a texel of a map of 512 texels on a surface at 45°.
 const BIAS: f32 = 4e-3;
 
 /// Source of the far part.
@@ -34,13 +34,13 @@ pub(super) struct Backdrop<'a> {
     pub far: Far<'a>,
     /// Centre O, relative to the scene's origin.
     pub center: DVec3,
-    /// Morph that gives the displayed distance of far points; without one it is their distance from O.
+    /// Morph, which gives the displayed distances of far points; without it, these are the distances from O.
     pub morph: Option<Morph>,
     /// Volume in which the map is visible.
     pub visible: VisibleVolume,
 }
 
-/// Volume in which surfaces are visible from an eye; both are relative to the scene's origin.
+/// Volume in which surfaces are visible from an eye. Both are relative to the scene's origin.
 #[derive(Clone, Copy)]
 pub(super) struct VisibleVolume {
     pub limits: Limits,
@@ -57,7 +57,7 @@ impl VisibleVolume {
 impl Backdrop<'_> {
     pub fn color(&self, direction: Vec3, footprint: impl FnOnce() -> Footprint) -> [f32; 3] {
         match self.far {
-            Far::Map(map) if self.shows(map, direction) => map.color(direction),
+            Far::Map(map) if self.is_visible(map, direction) => map.color(direction),
             Far::Nothing | Far::Map(_) => background(direction),
             Far::Traced(scene, radius) => {
                 let (ray, hit) = self.cast(scene, radius, direction);
@@ -66,8 +66,8 @@ impl Backdrop<'_> {
         }
     }
 
-    /// Returns the channels of a ray: of its hit on near geometry or, for a miss, of the far part. The map shows what O
-    /// sees in the ray's direction; its range gives the point.
+    /// Returns the channels of a ray: those of its hit on near geometry or, for a miss, those of the far part. The map
+    /// shows what O sees in the ray's direction; its range gives the point.
     pub fn sample(
         &self,
         near: &Scene,
@@ -81,9 +81,10 @@ impl Backdrop<'_> {
         }
         let direction = ray.direction;
         match self.far {
-            Far::Map(map) if self.shows(map, direction) => {
+            Far::Map(map) if self.is_visible(map, direction) => {
                 let (range, object_id) = map.surface(direction);
-                let mut sample = Sample { range: self.displayed(direction, range), object_id, ..Sample::default() };
+                let mut sample =
+                    Sample { range: self.displayed_distance(direction, range), object_id, ..Sample::default() };
                 if range.is_finite() {
                     sample.position = (self.center + direction.as_dvec3() * f64::from(range)).as_vec3().to_array();
                 }
@@ -95,23 +96,23 @@ impl Backdrop<'_> {
                 if hit.is_miss() {
                     return Sample::default();
                 }
-                let (surface, range) = (Surface::of_hit(scene, &ray, &hit), self.displayed(direction, hit.t));
+                let (surface, range) = (Surface::of_hit(scene, &ray, &hit), self.displayed_distance(direction, hit.t));
                 surface.sample(scene, range, || footprint().width_at(hit.t), channels)
             }
         }
     }
 
-    /// Returns whether the map is visible: the ray's segment is unbounded, and the map's surface is not nearer than
-    /// its start. Maps without ranges are infinitely far.
-    fn shows(&self, map: &EnvironmentMap, direction: Vec3) -> bool {
+    /// Returns whether the map is visible: the ray's segment is unbounded, and the map's surface is not nearer than its
+    /// start. Maps without ranges are infinitely far away.
+    fn is_visible(&self, map: &EnvironmentMap, direction: Vec3) -> bool {
         let Segment { t_min, t_max } = self.visible.clip_direction(direction);
-        let is_behind = || map.range.is_none() || self.displayed(direction, map.surface(direction).0) >= t_min;
+        let is_behind = || map.range.is_none() || self.displayed_distance(direction, map.surface(direction).0) >= t_min;
         t_max.is_infinite() && (t_min == 0.0 || is_behind())
     }
 
     /// Returns the distance from O beyond which the far part hides other points beyond the near part; infinite if the
-    /// map has no range or its surface is nearer than the segment's start. Points of the near part are not tested: along
-    /// their bent ray they precede all far points.
+    /// map has no range or its surface is nearer than the segment's start. Points of the near part need no test,
+    /// because they precede all far points along their bent ray.
     pub fn range_limit(&self, direction: Vec3) -> f32 {
         let limit = match self.far {
             Far::Map(map) if map.range.is_some() => map.farthest(direction) * (1.0 + BIAS),
@@ -119,11 +120,11 @@ impl Backdrop<'_> {
             _ => f32::INFINITY,
         };
         let t_min = self.visible.clip_direction(direction).t_min;
-        if t_min > 0.0 && self.displayed(direction, limit) < t_min { f32::INFINITY } else { limit }
+        if t_min > 0.0 && self.displayed_distance(direction, limit) < t_min { f32::INFINITY } else { limit }
     }
 
     /// Returns the displayed distance |Q−U| of a point that O sees at `range`.
-    pub fn displayed(&self, direction: Vec3, range: f32) -> f32 {
+    pub fn displayed_distance(&self, direction: Vec3, range: f32) -> f32 {
         self.morph.map_or(range, |morph| morph.far_distance(direction.as_dvec3(), f64::from(range)) as f32)
     }
 
@@ -133,8 +134,8 @@ impl Backdrop<'_> {
         Ray { origin: self.center.as_vec3(), direction, t_min: (radius / slope) as f32, t_max: f32::INFINITY }
     }
 
-    /// Traces the rays without a hit of a tile into the far part, if that is traced; as one packet, because they are
-    /// coherent. Returns the rays from the centre, and their hits beyond the near part.
+    /// Traces a tile's rays without a hit into the far part as one packet. Returns the rays from the centre and their
+    /// hits beyond the near part; `None` unless the far part is traced.
     pub fn trace_far(&self, rays: &[Ray], hits: &[Hit]) -> Option<([Ray; PIXELS], [Hit; PIXELS])> {
         let Far::Traced(scene, radius) = self.far else { return None };
         let (mut far_rays, mut far_hits) = ([self.ray(radius, Vec3::Y); PIXELS], [Hit::MISS; PIXELS]);
@@ -159,7 +160,7 @@ impl Backdrop<'_> {
     }
 }
 
-/// Returns the linear RGB of a hit; of the sky for a miss.
+/// Returns the linear RGB of a hit, or that of the sky for a miss.
 pub(super) fn hit_color(scene: &Scene, ray: &Ray, hit: &Hit, footprint: impl FnOnce() -> Footprint) -> [f32; 3] {
     if hit.is_miss() {
         return background(ray.direction);

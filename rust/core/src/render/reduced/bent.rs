@@ -1,5 +1,5 @@
-//! Morphed near geometry in front of the map. Pixels are split: a fragment is drawn if its unmorphed point lies within
-//! r₂, wherever its triangle extends. Behind these, a moving fragment beyond r₂ is drawn if no far surface hides it.
+//! Morphed near geometry in front of the map. A fragment is drawn if its unmorphed point lies within r₂, even if its
+//! triangle extends beyond. Behind these, a moving fragment beyond r₂ is drawn if no far surface hides it.
 
 use super::super::frame::{Channels, Sample};
 use super::super::surface::add_colors;
@@ -17,15 +17,15 @@ pub(super) struct Bent<'a> {
     pub radius: f64,
 }
 
-/// Accepts fragments within r₂ or, if `draws_beyond`, moving ones beyond it.
-struct Split<'a> {
+/// Filter for fragments within r₂ or, if `draws_beyond`, for moving ones beyond it.
+struct FragmentFilter<'a> {
     bent: &'a Bent<'a>,
     static_count: u32,
     cutouts: bool,
     draws_beyond: bool,
 }
 
-impl HitFilter for Split<'_> {
+impl HitFilter for FragmentFilter<'_> {
     fn accepts(&self, ray: &Ray, candidate: &Hit) -> bool {
         let Bent { scene, near, backdrop, radius } = self.bent;
         let piece = near.piece(candidate.instance, candidate.face);
@@ -35,14 +35,14 @@ impl HitFilter for Split<'_> {
         if piece.is_within && !self.cutouts {
             return true;
         }
-        let (u, v) = piece.on_face(candidate.u, candidate.v);
+        let (u, v) = piece.face_weights(candidate.u, candidate.v);
         if !piece.is_within {
             let [a, b, c] = scene.instance(piece.instance).corners(piece.face).map(|corner| corner.as_dvec3());
             let point = a + (b - a) * f64::from(u) + (c - a) * f64::from(v);
             let from_axis = point - backdrop.center;
             let is_beyond = from_axis.x.hypot(from_axis.z) > *radius;
-            let hidden_from = || backdrop.displayed(ray.direction, backdrop.range_limit(ray.direction));
-            if is_beyond != self.draws_beyond || is_beyond && candidate.t > hidden_from() {
+            let far_distance = || backdrop.displayed_distance(ray.direction, backdrop.range_limit(ray.direction));
+            if is_beyond != self.draws_beyond || is_beyond && candidate.t > far_distance() {
                 return false;
             }
         }
@@ -53,9 +53,9 @@ impl HitFilter for Split<'_> {
 impl Bent<'_> {
     /// Converts a hit on a piece to a hit on its source face.
     #[inline]
-    fn on_scene(&self, hit: &Hit) -> Hit {
+    fn scene_hit(&self, hit: &Hit) -> Hit {
         let piece = self.near.piece(hit.instance, hit.face);
-        let (u, v) = piece.on_face(hit.u, hit.v);
+        let (u, v) = piece.face_weights(hit.u, hit.v);
         Hit { instance: piece.instance, face: piece.face, u, v, ..*hit }
     }
 }
@@ -63,30 +63,31 @@ impl Bent<'_> {
 impl Picture for Bent<'_> {
     fn trace(&self, rays: &mut [Ray], hits: &mut [Hit], _spots: &Spots<'_>) {
         let static_count = self.scene.standing.instances().len() as u32;
-        let split = |draws_beyond| Split { bent: self, static_count, cutouts: self.scene.has_cutouts(), draws_beyond };
-        closest_hits(&self.near.scene, rays, &split(false), hits);
+        let cutouts = self.scene.has_cutouts();
+        let filter = |draws_beyond| FragmentFilter { bent: self, static_count, cutouts, draws_beyond };
+        closest_hits(&self.near.scene, rays, &filter(false), hits);
         if self.near.moving_triangles() == 0 || !hits.iter().any(Hit::is_miss) {
             return;
         }
-        // Surfaces within r₂ hide all surfaces beyond it: they come first along the bent ray, though not always by
-        // displayed distance.
+        // Surfaces within r₂ hide all surfaces beyond it, because they come first along the bent ray, even where their
+        // displayed distance is greater.
         let (mut far_rays, mut far_hits) = ([rays[0]; PIXELS], [Hit::MISS; PIXELS]);
         for (far_ray, (ray, hit)) in far_rays.iter_mut().zip(rays.iter().zip(hits.iter())) {
             *far_ray = if hit.is_miss() { *ray } else { Ray { t_max: -1.0, ..*ray } };
         }
-        closest_hits(&self.near.scene, &far_rays[..rays.len()], &split(true), &mut far_hits[..rays.len()]);
+        closest_hits(&self.near.scene, &far_rays[..rays.len()], &filter(true), &mut far_hits[..rays.len()]);
         for (hit, far_hit) in hits.iter_mut().zip(far_hits).filter(|(hit, _)| hit.is_miss()) {
             *hit = far_hit;
         }
     }
 
     fn add_colors(&self, rays: &[Ray], hits: &[Hit], footprint: impl Fn(usize) -> Footprint, sums: &mut [[f32; 3]]) {
-        let missed = |n: usize| self.backdrop.color(rays[n].direction, || footprint(n));
-        add_colors(self.scene, rays, hits, &footprint, |hit| self.on_scene(hit), missed, sums);
+        let miss_color = |n: usize| self.backdrop.color(rays[n].direction, || footprint(n));
+        add_colors(self.scene, rays, hits, &footprint, |hit| self.scene_hit(hit), miss_color, sums);
     }
 
     fn sample(&self, ray: &Ray, hit: &Hit, footprint: impl FnOnce() -> Footprint, channels: Channels) -> Sample {
-        let hit = if hit.is_miss() { *hit } else { self.on_scene(hit) };
+        let hit = if hit.is_miss() { *hit } else { self.scene_hit(hit) };
         self.backdrop.sample(self.scene, ray, &hit, footprint, channels)
     }
 }

@@ -1,4 +1,4 @@
-//! Bent rays of a tile, interpolated by polynomials in the tile between the bent rays of its corners.
+//! Bent rays of a tile, interpolated by polynomials from the bent rays of its corners.
 
 use glam::{Vec3, Vec4, Vec4Swizzles};
 
@@ -35,11 +35,11 @@ pub(super) struct Cell<'a> {
 enum Corners<'a> {
     /// The tile's own corners.
     Four([&'a Corner; 4]),
-    /// A tile's corners with their neighbours on one side, and the column and row (0 or 1) of the tile's first corner.
+    /// 3 × 3 corners that include the tile's, and the column and row (0 or 1) of the tile's first corner.
     Nine([&'a Corner; 9], [usize; 2]),
 }
 
-/// Offset of a bend and its position along the ray, as polynomial coefficients in x and y across the tile.
+/// Offset and position along the ray of a bend, as coefficients of a polynomial in x and y across the tile.
 pub(super) enum Bend {
     /// Coefficients of 1, x, y and xy.
     Linear([Vec4; 4]),
@@ -48,8 +48,7 @@ pub(super) enum Bend {
 }
 
 impl Bend {
-    /// Returns the position of a ray's bend relative to the user, from the ray's direction and its position in the
-    /// part.
+    /// Returns a ray's bend relative to the user, from the ray's direction and its position in the part.
     #[inline]
     pub fn evaluate(&self, direction: Vec3, [x, y]: [f32; 2]) -> Vec3 {
         let v = match self {
@@ -66,16 +65,16 @@ impl Bend {
 impl<'a> Cell<'a> {
     /// Interpolates bilinearly between four corners in row order.
     pub fn linear(corners: [&'a Corner; 4], user: Vec3, part: TilePart) -> Self {
-        let legs = legs_of(&corners);
-        Self { part, corners: Corners::Four(corners), legs, boxes: hulls(corners, legs, user) }
+        let legs = max_legs(&corners);
+        Self { part, corners: Corners::Four(corners), legs, boxes: bend_boxes(corners, legs, user) }
     }
 
-    /// Interpolates biquadratically between nine corners in row order; `first` is the tile's first corner, column and
-    /// row 0 or 1.
+    /// Interpolates biquadratically between nine corners in row order; `first` is the column and row (0 or 1) of the
+    /// tile's first corner.
     pub fn quadratic(corners: [&'a Corner; 9], first: [usize; 2], user: Vec3) -> Self {
-        let legs = legs_of(&corners);
+        let legs = max_legs(&corners);
         let index = first[1] * 3 + first[0];
-        let boxes = hulls([0, 1, 3, 4].map(|offset| corners[index + offset]), legs, user);
+        let boxes = bend_boxes([0, 1, 3, 4].map(|offset| corners[index + offset]), legs, user);
         Self { part: TilePart::WHOLE, corners: Corners::Nine(corners, first), legs, boxes }
     }
 
@@ -84,7 +83,7 @@ impl<'a> Cell<'a> {
     pub fn to_part(&self, position: [f32; 2]) -> Option<[f32; 2]> {
         let TilePart { parts, x, y } = self.part;
         let [u, v] = position.map(|fraction| fraction * parts as f32);
-        // Positions in a tile are below 1, so each lies in exactly one part.
+        // Positions are below 1, so each lies in exactly one part.
         ((u as usize, v as usize) == (x, y)).then_some([u - x as f32, v - y as f32])
     }
 
@@ -115,7 +114,7 @@ impl<'a> Cell<'a> {
     }
 }
 
-fn legs_of(corners: &[&Corner]) -> usize {
+fn max_legs(corners: &[&Corner]) -> usize {
     corners.iter().map(|corner| corner.legs).max().unwrap_or_default()
 }
 
@@ -129,31 +128,31 @@ fn parabola([a, b, c]: [Vec4; 3], first: usize) -> [Vec4; 3] {
 }
 
 /// Returns the bounding box of each bend of all rays between the four corners of a tile, given in row order.
-fn hulls(corners: [&Corner; 4], legs: usize, user: Vec3) -> Vec<Aabb> {
-    let hull = |k: usize| {
+fn bend_boxes(corners: [&Corner; 4], legs: usize, user: Vec3) -> Vec<Aabb> {
+    let bend_box = |k: usize| {
         let points = corners.map(|corner| {
             let bend = corner.bend(k, legs);
             user + corner.direction * bend.w + bend.xyz()
         });
-        let mut hull = Aabb::EMPTY;
-        points.into_iter().for_each(|point| hull.extend(point));
-        widened(hull, (points[3] - points[0]).abs().max((points[2] - points[1]).abs()))
+        let mut bend_box = Aabb::EMPTY;
+        points.into_iter().for_each(|point| bend_box.extend(point));
+        widen(bend_box, (points[3] - points[0]).abs().max((points[2] - points[1]).abs()))
     };
-    (0..=legs).map(hull).collect()
+    (0..=legs).map(bend_box).collect()
 }
 
-/// Returns the bounding box of all rays between four corners, wherever they bend.
+/// Returns the bounding box of all bends of all rays between four corners.
 pub(super) fn bounds(corners: [&Corner; 4], user: Vec3) -> Aabb {
     let placed = |bounds: &Aabb| Aabb { min: user + bounds.min, max: user + bounds.max };
     let bounds = corners.iter().fold(Aabb::EMPTY, |all, corner| all.union(&placed(&corner.bounds)));
     // Rays of a tile are farthest apart at one of their ends.
     let ends = corners.map(Corner::ends);
     let diagonal = |a: usize, b: usize, end: usize| (ends[b][end] - ends[a][end]).abs();
-    widened(bounds, diagonal(0, 3, 0).max(diagonal(1, 2, 0)).max(diagonal(0, 3, 1)).max(diagonal(1, 2, 1)))
+    widen(bounds, diagonal(0, 3, 0).max(diagonal(1, 2, 0)).max(diagonal(0, 3, 1)).max(diagonal(1, 2, 1)))
 }
 
 /// Widens the bounding box of corner rays for the rays between them; `diagonal` is the distance of the corner rays.
-fn widened(bounds: Aabb, diagonal: Vec3) -> Aabb {
+fn widen(bounds: Aabb, diagonal: Vec3) -> Aabb {
     let margin = Vec3::splat(BULGE * diagonal.max_element());
     Aabb { min: bounds.min - margin, max: bounds.max + margin }
 }
@@ -167,8 +166,8 @@ mod tests {
     #[test]
     fn parabolas_pass_through_their_points() {
         let f = |x: f32| Vec4::splat(3.0 - 2.0 * x + 0.5 * x * x);
-        for (first, at) in [(0, [0.0, 1.0, 2.0]), (1, [-1.0, 0.0, 1.0])] {
-            let [one, x, square] = parabola(at.map(f), first);
+        for (first, xs) in [(0, [0.0, 1.0, 2.0]), (1, [-1.0, 0.0, 1.0])] {
+            let [one, x, square] = parabola(xs.map(f), first);
             assert_eq!((one, x, square), (Vec4::splat(3.0), Vec4::splat(-2.0), Vec4::splat(0.5)));
         }
     }

@@ -7,9 +7,10 @@ use crate::bend::{RayCurve, Stretch};
 
 /// Maximum number of legs between the radii; rays that need more are bent one by one.
 pub(super) const MAX_LEGS: usize = 128;
-/// Minimum number of legs, so that neighbouring corners can be compared there.
+/// Minimum number of legs. All corners have these legs' bends, so that they can be compared.
 pub(super) const MIN_LEGS: usize = 4;
-/// Tolerance of a bend's offset relative to the maximum offset. The error is about its square, float32's resolution.
+/// Tolerance of the search for a bend's offset, relative to the maximum offset. The resulting error is about its
+/// square, float32's resolution.
 const OFFSET_PRECISION: f64 = 1e-4;
 
 /// Bends of a ray between the radii, at equal steps along it. Each chord between two bends meets the tolerance.
@@ -27,17 +28,17 @@ pub(super) struct Corner {
 }
 
 impl Corner {
-    /// Bends the ray; `None` for users outside r₁, for vertical rays, and if the maximum number of legs misses the
-    /// tolerance, in radians.
+    /// Bends the ray to a tolerance in radians; `None` for users outside r₁, for vertical rays, and if `MAX_LEGS` legs
+    /// do not meet the tolerance.
     pub fn new(curve: &RayCurve<'_>, tolerance: f64) -> Option<Self> {
-        // A ray of a user inside r₁ is straight up to there, and bends up to r₂.
+        // A ray of a user inside r₁ is straight up to r₁ and bends between r₁ and r₂.
         let [inside, stretch] = curve.stretches()[..] else { return None };
         if !inside.is_straight || stretch.is_straight || curve.end().is_none() {
             return None;
         }
         let (mut offsets, mut legs) = ([0.0; MAX_LEGS + 1], 1);
         offsets[1] = curve.ray_distance;
-        while legs < MIN_LEGS || misses(curve, &stretch, &offsets[..=legs], tolerance) {
+        while legs < MIN_LEGS || exceeds_tolerance(curve, &stretch, &offsets[..=legs], tolerance) {
             if legs == MAX_LEGS {
                 return None;
             }
@@ -93,15 +94,14 @@ fn step_distance(stretch: &Stretch, k: f64, legs: usize) -> f64 {
     stretch.from + (stretch.to - stretch.from) * k / legs as f64
 }
 
-/// Returns whether a chord misses the curve at its middle or between middle and ends. A winding curve crosses its
-/// chords, so one point is not enough.
-fn misses(curve: &RayCurve<'_>, stretch: &Stretch, offsets: &[f64], tolerance: f64) -> bool {
+/// Returns whether a chord misses the curve by more than the tolerance, at its middle or between middle and ends. A
+/// winding curve crosses its chords, so one point is not enough.
+fn exceeds_tolerance(curve: &RayCurve<'_>, stretch: &Stretch, offsets: &[f64], tolerance: f64) -> bool {
     let legs = offsets.len() - 1;
     let miss = |k: usize, t: f64| {
         curve.miss(step_distance(stretch, k as f64 + t, legs), offsets[k] + (offsets[k + 1] - offsets[k]) * t)
-            > tolerance
     };
-    [0.5, 0.2, 0.8].into_iter().any(|t| (0..legs).any(|k| miss(k, t)))
+    [0.5, 0.2, 0.8].into_iter().any(|t| (0..legs).any(|k| miss(k, t) > tolerance))
 }
 
 /// Inserts a bend between each pair of neighbours.

@@ -29,7 +29,7 @@ pub(super) struct Exact<'a> {
     morph: Morph,
     /// Radius at which the near part ends, metres; at least the morph's r₂.
     boundary: f64,
-    /// Data for the point where rays of a user inside r₁ begin to bend; `None` if they bend from the start.
+    /// The user's position inside r₁, up to which rays are straight; `None` if they bend from the start.
     inside: Option<Inside>,
     backdrop: Backdrop<'a>,
     pub moving: Option<Moving>,
@@ -56,14 +56,14 @@ impl<'a> Exact<'a> {
         Ok(Self { scene, morph, boundary, inside, backdrop, moving, lattice, tolerance })
     }
 
-    /// Traces all rays of a tile together while any of them is a miss: first their straight parts, then their legs.
-    /// Returns false if the remaining rays cannot be bent together.
+    /// Traces all rays of a tile together: first their straight parts, then the legs of those without a hit. Returns
+    /// false if these cannot be bent together.
     fn trace_tile(&self, inside: &Inside, rays: &mut [Ray], hits: &mut [Hit], spots: &Spots<'_>) -> bool {
         let mut ends = [Vec3::ZERO; PIXELS];
         for (ray, end) in rays.iter_mut().zip(&mut ends) {
-            let leave = inside.leave(ray.direction);
-            (ray.t_min, ray.t_max) = (0.0, leave * (1.0 + OVERLAP));
-            *end = ray.direction * leave;
+            let distance = inside.distance_to_r1(ray.direction);
+            (ray.t_min, ray.t_max) = (0.0, distance * (1.0 + OVERLAP));
+            *end = ray.direction * distance;
         }
         closest(self.scene, rays, hits);
         let misses: Vec<usize> = (0..rays.len()).filter(|&n| hits[n].is_miss()).collect();
@@ -83,7 +83,7 @@ impl<'a> Exact<'a> {
         })
     }
 
-    /// Traces the listed rays beyond their straight parts; `ends` holds the ends of these parts.
+    /// Traces the legs of the rays `misses`; `ends` holds the ends of their straight parts.
     fn trace_legs(
         &self,
         cell: &Cell<'_>,
@@ -136,7 +136,7 @@ impl<'a> Exact<'a> {
         let curve = RayCurve::new(&self.morph, ray.direction.as_dvec3().normalize());
         let points = curve.polyline(self.tolerance);
         let end = curve.end().map(|(s, _)| s);
-        // A user outside r₂ may be where the curve begins; the morph displays nothing there, so legs are clipped to r₂.
+        // The curve may begin at a user outside r₂, where the morph displays nothing, so legs are clipped to r₂.
         let radius = self.morph.r2 * (1.0 + f64::from(OVERLAP));
         let mut trace = |from: DVec3, to: DVec3, t_max: f32| {
             let inside = within_cylinder(on_ground(from - self.morph.center), on_ground(to - from), radius);
@@ -156,7 +156,7 @@ impl<'a> Exact<'a> {
                 return;
             }
         }
-        // Straight curves: along the line through user and centre, and vertical rays within r₁.
+        // Straight curves: rays along the line through user and centre, and vertical rays within r₁.
         let straight = match end {
             Some(s) if curve.ray_distance == 0.0 => Some((s - curve.start()) as f32).filter(|&t_max| t_max > 0.0),
             None if points.len() == 1 => Some(f32::INFINITY),
@@ -167,7 +167,7 @@ impl<'a> Exact<'a> {
         }
     }
 
-    /// Traces rays that have no hit yet, from the morph's r₂ to the end of the near part, along the centre's rays.
+    /// Traces the centre's rays, for rays without a hit, from the morph's r₂ to the end of the near part.
     fn trace_outside(&self, rays: &mut [Ray], hits: &mut [Hit]) {
         let (from, to) = (self.morph.r2, self.boundary);
         let (mut legs, mut leg_hits) = ([Ray::EMPTY; PIXELS], [Hit::MISS; PIXELS]);
@@ -183,7 +183,7 @@ impl<'a> Exact<'a> {
         }
     }
 
-    /// Converts a hit on a leg to a hit on the displayed ray, at the displayed distance and seen along the leg.
+    /// Converts a hit on a leg to a hit on the displayed ray, with the displayed distance and the leg's direction.
     fn accept(&self, leg: &Ray, leg_hit: &Hit, ray: &mut Ray, hit: &mut Hit) {
         if leg_hit.is_miss() {
             return;
@@ -222,11 +222,11 @@ impl Picture for Exact<'_> {
 
     fn add_colors(&self, rays: &[Ray], hits: &[Hit], footprint: impl Fn(usize) -> Footprint, sums: &mut [[f32; 3]]) {
         let far = self.backdrop.trace_far(rays, hits);
-        let missed = |n: usize| match &far {
+        let miss_color = |n: usize| match &far {
             Some((rays, hits)) => hit_color(self.scene, &rays[n], &hits[n], || footprint(n)),
             None => self.backdrop.color(rays[n].direction, || footprint(n)),
         };
-        add_colors(self.scene, rays, hits, &footprint, |&hit| hit, missed, sums);
+        add_colors(self.scene, rays, hits, &footprint, |&hit| hit, miss_color, sums);
     }
 
     fn sample(&self, ray: &Ray, hit: &Hit, footprint: impl FnOnce() -> Footprint, channels: Channels) -> Sample {
@@ -249,10 +249,9 @@ impl Inside {
         (power < 0.0 && morph.strength == 1.0).then_some(Self { user: user.as_vec2(), power: power as f32 })
     }
 
-    /// Returns the distance along a direction to r₁; infinite for vertical directions. Both roots are computed without
-    /// cancellation.
+    /// Returns the distance along a direction to r₁, infinite for vertical ones. Neither root suffers cancellation.
     #[inline]
-    fn leave(&self, direction: Vec3) -> f32 {
+    fn distance_to_r1(&self, direction: Vec3) -> f32 {
         let d = direction.xz();
         let (a, b) = (d.length_squared(), self.user.dot(d));
         let root = (b * b - a * self.power).sqrt();

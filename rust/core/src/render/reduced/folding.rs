@@ -1,5 +1,5 @@
-//! Cache of the fold margin. Computing a margin takes ten milliseconds, and it depends only on a user's height and
-//! distance from the axis, so the last one serves all users of about the same height.
+//! Cache of the fold margin. Computing it takes ten milliseconds. The margin of a user on the axis depends only on the
+//! height, and every metre from the axis reduces it by a metre, so one value serves all users of about the same height.
 
 use std::sync::{Mutex, PoisonError};
 
@@ -9,15 +9,15 @@ use crate::base::Result;
 use crate::bend;
 use crate::morph::Morph;
 
-/// Quantisation of heights relative to r₂: 5 cm for 50 m. The margin hardly changes with the height.
+/// Quantisation step of heights relative to r₂: 5 cm for 50 m. The margin hardly changes with the height.
 const HEIGHT_STEP: f64 = 1e-3;
 
 /// Height, radii and strength of the last margin, and its value for a user on the axis.
-type Known = ([f64; 4], f64);
+type Entry = ([f64; 4], f64);
 
 /// Cache of the last margin.
 #[derive(Debug, Default)]
-pub(super) struct Folding(Mutex<Option<Known>>);
+pub(super) struct Folding(Mutex<Option<Entry>>);
 
 impl Folding {
     /// Returns the metres that a user may still move before the picture folds; infinite without near geometry.

@@ -1,9 +1,9 @@
 //! Bent rays of a whole view, interpolated from the rays through the corners of its tiles.
 //!
-//! A ray between the corners is P = U + s d + offset with its own direction d. Only the positions s and the offsets of
-//! its bends are interpolated; both change little across a tile. Tiles across which they change too much (steep rays,
-//! users outside r₁) are not interpolated, and their rays are bent one by one. A corner is bent when a tile first
-//! needs it, because most rays hit a surface before they bend.
+//! A bend of a ray between the corners is P = U + s d + offset, where d is the ray's own direction. Only the positions
+//! s and the offsets are interpolated; both change little across a tile. Where they change too much (steep rays, users
+//! outside r₁), rays are bent one by one. A corner is bent when a tile first needs it, because most rays hit a surface
+//! before they bend.
 
 use std::sync::OnceLock;
 
@@ -37,15 +37,16 @@ pub(super) struct Lattice {
 }
 
 impl Lattice {
-    /// Creates a lattice. The tolerance is in pixels, with the angular size of a pixel at each ray.
+    /// Creates a lattice. The tolerance is in pixels, whose angular size depends on the ray.
     pub fn new(camera: &Camera, morph: &Morph, tolerance_px: f64) -> Result<Self> {
         let [columns, lines] = [camera.width, camera.height].map(|pixels| (pixels as usize).div_ceil(TILE) + 1);
         let corners = try_list((0..columns * lines).map(|_| OnceLock::new()))?;
         Ok(Self { morph: *morph, rays: camera.rays(), tolerance_px, columns, lines, corners })
     }
 
-    /// Calls `trace` with the bends of a tile's rays, part by part if they change too much across the tile, and not at
-    /// all if nothing lies near their bounding box. Returns false if rays must be bent one by one.
+    /// Calls `trace` with the bends of a tile's rays: for each part of the tile if they change too much across the
+    /// whole tile, and not at all if nothing lies near their bounding box. Returns false if rays must be bent one by
+    /// one.
     pub fn for_each_cell(
         &self,
         (column, row): (usize, usize),
@@ -74,7 +75,7 @@ impl Lattice {
         let corners_per_row = parts + 1;
         let corner_at = |i: usize| {
             let position = |cell: usize, part: usize| cell as f64 + part as f64 / parts as f64;
-            self.bent(position(column, i % corners_per_row), position(row, i / corners_per_row))
+            self.bend_corner(position(column, i % corners_per_row), position(row, i / corners_per_row))
         };
         let Some(corners) = (0..corners_per_row * corners_per_row).map(corner_at).collect::<Option<Vec<Corner>>>()
         else {
@@ -94,13 +95,13 @@ impl Lattice {
         self.tolerance_px * self.rays.pixel_angle(column * TILE as f64, row * TILE as f64)
     }
 
-    fn bent(&self, column: f64, row: f64) -> Option<Corner> {
+    fn bend_corner(&self, column: f64, row: f64) -> Option<Corner> {
         let direction = self.rays.ray(column * TILE as f64, row * TILE as f64).1;
         Corner::new(&RayCurve::new(&self.morph, direction), CHORD_SHARE * self.tolerance(column, row))
     }
 
     fn corner(&self, column: usize, row: usize) -> Option<&Corner> {
-        self.corners[row * self.columns + column].get_or_init(|| self.bent(column as f64, row as f64)).as_ref()
+        self.corners[row * self.columns + column].get_or_init(|| self.bend_corner(column as f64, row as f64)).as_ref()
     }
 
     /// Returns the angle by which interpolated rays inside a tile miss their curve. The error of linear interpolation
@@ -118,15 +119,15 @@ impl Lattice {
             let before = common_bends(self.corner(column - x, row - y)?);
             let after = common_bends(self.corner(column + x, row + y)?);
             let second = std::array::from_fn(|k| before[k] - 2.0 * middle[k] + after[k]);
-            worst = worst.max(angle_of(&second, &before) / 8.0);
+            worst = worst.max(angular_error(&second, &before) / 8.0);
         }
         // The factor 2 adds the errors in both directions.
         Some(2.0 * worst)
     }
 
-    /// Returns nine corners for biquadratic interpolation: a tile's corners and their neighbours on one side, and the
-    /// position of the tile's first corner. `None` if bends would miss their curves by more than the allowed angle:
-    /// 0.0642, the maximum of |t (t² − 1)|/6, times the third differences, summed over both directions.
+    /// Returns nine corners for biquadratic interpolation, which include the tile's, and the position of the tile's
+    /// first corner among them. `None` if bends would miss their curves by more than the allowed angle: the miss is
+    /// `QUADRATIC_ERROR` times the third differences, summed over both directions.
     fn quadratic_corners(&self, column: usize, row: usize, allowed: f64) -> Option<([&Corner; 9], [usize; 2])> {
         if self.columns < 4 || self.lines < 4 {
             return None;
@@ -139,7 +140,7 @@ impl Lattice {
         for line in [row_bends, column_bends] {
             let [Some(a), Some(b), Some(c), Some(d)] = line else { return None };
             let third = std::array::from_fn(|k| d[k] - a[k] + 3.0 * (b[k] - c[k]));
-            worst += QUADRATIC_ERROR * angle_of(&third, &a);
+            worst += QUADRATIC_ERROR * angular_error(&third, &a);
         }
         if worst > allowed {
             return None;
@@ -156,7 +157,7 @@ impl Lattice {
 
 /// Returns the angle by which bends miss their curve if their offsets and positions have these errors. An error δs of
 /// a bend's position along the ray moves it across the ray by δs times the curve's slope.
-fn angle_of(errors: &[Vec4; MIN_LEGS + 1], bends: &[Vec4; MIN_LEGS + 1]) -> f64 {
+fn angular_error(errors: &[Vec4; MIN_LEGS + 1], bends: &[Vec4; MIN_LEGS + 1]) -> f64 {
     let angle = |k: usize| {
         let next = if k < MIN_LEGS { k + 1 } else { k - 1 };
         let chord = bends[next] - bends[k];

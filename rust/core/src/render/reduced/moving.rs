@@ -27,7 +27,7 @@ impl ConventionalDynamic {
     }
 }
 
-/// Moving objects of a scene in one pose, with the number of the first in the whole scene.
+/// Moving objects of a scene in one pose, with the number of the first instance in the whole scene.
 pub(super) struct Moving {
     scene: Scene,
     first: u32,
@@ -47,9 +47,9 @@ impl Moving {
         self.scene.triangle_count() as u64
     }
 
-    /// Finds, for rays that are misses, moving objects beyond the near part that no far surface hides. They are shown
-    /// in the direction in which the centre sees them (w = 0), so they are traced along the ray from the centre.
-    /// `segment` gives the visible segment of the n-th ray.
+    /// For rays without a hit, finds hits on moving objects beyond the near part that no far surface hides. They appear
+    /// in the direction in which the centre sees them (w = 0), so rays from the centre are traced. `segment` returns
+    /// the visible segment of the n-th ray.
     pub fn trace_beyond(
         &self,
         backdrop: &Backdrop<'_>,
@@ -66,12 +66,12 @@ impl Moving {
             let is_finite = from_center.t_min.is_finite();
             is_finite.then(|| Ray { t_min: from_center.t_min.max(t_min), t_max, ..from_center })
         };
-        let displayed = |ray: &Ray, t: f32| backdrop.displayed(ray.direction, t);
-        self.trace_misses(aim, Before { backdrop }, displayed, rays, hits);
+        let displayed = |ray: &Ray, t: f32| backdrop.displayed_distance(ray.direction, t);
+        self.trace_misses(aim, InFrontOfFar { backdrop }, displayed, rays, hits);
     }
 
-    /// Finds, for rays that are misses, moving objects in front of the far part.
-    pub fn trace_before(&self, segment: impl Fn(usize) -> Segment, rays: &[Ray], hits: &mut [Hit]) {
+    /// For rays without a hit, finds hits on moving objects, in front of the whole far part.
+    pub fn trace_in_front(&self, segment: impl Fn(usize) -> Segment, rays: &[Ray], hits: &mut [Hit]) {
         let aim = |n: usize, ray: &Ray| {
             let Segment { t_min, t_max } = segment(n);
             Some(Ray { t_min, t_max, ..*ray })
@@ -79,7 +79,7 @@ impl Moving {
         self.trace_misses(aim, All, |_, t| t, rays, hits);
     }
 
-    /// Traces rays that are misses along those that `aim` returns; `displayed` converts the distance of a hit.
+    /// Traces the rays that `aim` returns for rays without a hit; `displayed` converts the distance of a hit.
     fn trace_misses(
         &self,
         aim: impl Fn(usize, &Ray) -> Option<Ray>,
@@ -103,11 +103,11 @@ impl Moving {
 }
 
 /// Filter for geometry in front of the far part, on a ray from the centre.
-struct Before<'a> {
+struct InFrontOfFar<'a> {
     backdrop: &'a Backdrop<'a>,
 }
 
-impl HitFilter for Before<'_> {
+impl HitFilter for InFrontOfFar<'_> {
     fn accepts(&self, ray: &Ray, candidate: &Hit) -> bool {
         candidate.t <= self.backdrop.range_limit(ray.direction)
     }

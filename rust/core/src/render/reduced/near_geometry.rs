@@ -13,11 +13,11 @@ use crate::partition::Partition;
 use crate::scene::Scene;
 use crate::tessellate::{Settings, Steps, bent_from};
 
-/// Number of cached splits per part (static, moving): a user who walks to and fro across a step finds both.
+/// Number of cached splits per part (static, moving), so that a user who walks back and forth between two steps of the
+/// distance finds both.
 const MAX_SPLITS: usize = 3;
 
-/// Cache key of a split: steps of reach and tolerance, radii of the morph, and poses of moving objects (`None` for
-/// static parts).
+/// Cache key of a split: steps of reach and tolerance, radii, and poses of moving objects (`None` for static parts).
 #[derive(Clone, Debug, PartialEq)]
 struct SplitKey {
     steps: Option<Steps>,
@@ -37,10 +37,9 @@ pub(super) struct NearGeometry {
     radii: [f64; 2],
     /// All other static triangles: instance and face.
     bending: Vec<(u32, u32)>,
-    /// Cached splits, the last used at the end.
+    /// Cached splits, the most recently used at the end.
     splits: Mutex<Vec<(SplitKey, Arc<Split>)>>,
-    /// Static and moving part that were morphed last. They are cached because a user who stands still may request
-    /// frames with other poses.
+    /// The static and moving part morphed last, because a user who stands still may request frames with other poses.
     last: Mutex<Vec<LastMorphed>>,
 }
 
@@ -58,8 +57,7 @@ pub(super) struct Morphed {
 impl NearGeometry {
     /// Copies the triangles inside r₁ and lists the others.
     pub fn gather(partition: &Partition, progress: &Progress) -> Result<Self> {
-        // Edges between two points of r₁ are split for the triangles beyond them, so the triangles within must be
-        // split as well.
+        // Triangles with an edge between two points of r₁ are split, because triangles beyond may need the edge split.
         let [fixed, bending] = partition.nsf_inside(partition.r1)?;
         let fixed = NearPart::fixed(fixed, &partition.scene)?;
         fixed.instance.mesh.build_bvh(progress)?;
@@ -139,7 +137,6 @@ impl NearGeometry {
         let key = SplitKey { steps, radii: [bent_from(morph), morph.r2], poses };
         let mut splits = self.splits();
         if let Some(index) = splits.iter().position(|(known, _)| *known == key) {
-            // The last used is at the end.
             splits[index..].rotate_left(1);
             return Ok(Arc::clone(&splits[splits.len() - 1].1));
         }

@@ -17,14 +17,14 @@ use crate::tessellate::{self, Precision, Rule, Settings};
 
 /// Maximum number of pieces that a split may add, about a gigabyte.
 const MAX_PIECES: u64 = 1 << 22;
-/// Bytes per piece of all arrays while triangles are split: half of them while they are cut, half while they are joined.
+/// Bytes per piece of all arrays while triangles are split: half for cutting, half for joining.
 const PIECE_BYTES: u64 = 256;
 /// Tolerance in radians from which on triangles are not split.
 const MAX_TOLERANCE: f64 = 0.5;
 /// Vertices morphed between two checks for cancellation.
 const TILE: usize = 1 << 14;
 
-/// A piece of a scene's face, given by the positions of its three corners on the face.
+/// A piece of a scene's face, given by its three corners on the face.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct NearPiece {
     pub instance: u32,
@@ -36,9 +36,9 @@ pub(super) struct NearPiece {
 }
 
 impl NearPiece {
-    /// Converts weights on the piece to weights on the face. For a whole face they are bit-equal.
+    /// Converts weights on the piece to weights on the face; bit-equal for a whole face.
     #[inline]
-    pub fn on_face(&self, u: f32, v: f32) -> (f32, f32) {
+    pub fn face_weights(&self, u: f32, v: f32) -> (f32, f32) {
         let [a, b, c] = self.corners;
         let mix = |i: usize| a[i] + u * (b[i] - a[i]) + v * (c[i] - a[i]);
         (mix(0), mix(1))
@@ -65,8 +65,7 @@ impl NearPart {
     }
 }
 
-/// Cuts triangles (instance, face) into pieces with corners; `None` if split triangles give more than `MAX_PIECES`
-/// pieces.
+/// Cuts triangles (instance, face) into pieces; `None` if the triangles that are split give more than `MAX_PIECES`.
 fn cut(
     sources: &[(u32, u32)],
     scene: &Scene,
@@ -90,7 +89,7 @@ fn cut(
             counted.set(counted.get() + pieces);
             count(pieces)
         })?;
-        // Whole triangles are not counted: there may be any number of them, however coarse the split is.
+        // Whole triangles are not counted, because a coarser split does not reduce their number.
         if pieces.len() > 1 {
             count(pieces.len() - counted.get())?;
         }
@@ -107,7 +106,7 @@ fn cut(
         Ok(split(tessellate::Piece::of_triangle(corners))?.into_iter().map(place_piece).collect())
     });
     let triangles: Result<Vec<Vec<Placed>>> = triangles.collect();
-    // The total does not depend on the number of threads, whichever of them found that it is too large.
+    // Whether the total exceeds the limit does not depend on the order of threads.
     if piece_count.into_inner() > MAX_PIECES {
         progress.check()?;
         return Ok(None);
@@ -130,9 +129,9 @@ pub(super) struct Split {
 }
 
 impl Split {
-    /// Splits triangles (instance, face) by settings, if given. If that gives more pieces than a frame should have,
-    /// the split is coarser and has no error bound. Pieces that are not drawn are omitted, unless `moves`: moving
-    /// objects are drawn everywhere. `is_within` returns whether a point lies in the near part's cylinder.
+    /// Splits triangles (instance, face) by settings, if given. If these give more than `MAX_PIECES` pieces, the split
+    /// is coarser and has no error bound. Pieces that are not drawn are omitted, except those of moving objects
+    /// (`moves`), which are drawn everywhere. `is_within` returns whether a point lies in the near part's cylinder.
     pub fn new(
         sources: &[(u32, u32)],
         scene: &Scene,

@@ -78,7 +78,7 @@ pub struct Drawing<'a> {
     /// True for the baked map; false for the ideal picture, whose far part is traced from the centre.
     pub mapped: bool,
     /// Tolerance of the morph in units of this view's finest pixel. With `Vertex`, triangles that exceed it are split
-    /// for the frame; infinity morphs only the existing vertices. With `Exact`, it limits the error of a bent ray.
+    /// for the frame; infinity splits none. With `Exact`, it limits the error of a bent ray.
     pub tolerance_px: f64,
     /// Placement of moving objects beyond the near part without a morph.
     pub conventional_dynamic: ConventionalDynamic,
@@ -183,7 +183,7 @@ impl Reduced {
         Ok((draw(&view, &bent::Bent { scene, near, backdrop, radius: boundary }, progress)?, counts))
     }
 
-    /// Returns the kind of the morph; `None` if user and camera are at the centre, from which no point moves.
+    /// Returns the kind of the morph; `None` without one and if user and camera are at the centre: nothing moves then.
     pub fn morph_kind(&self, camera: &Camera, drawing: &Drawing<'_>) -> Option<Kind> {
         let at_center = [camera.position, drawing.user(camera)] == [self.center; 2];
         self.join.kind().filter(|_| !at_center)
@@ -219,7 +219,7 @@ impl Reduced {
         }
     }
 
-    /// Fails for invalid requests: another scene, parallel rays in front of a map, channels that were not baked.
+    /// Fails for invalid requests, such as another scene, parallel rays with a map, or channels that were not baked.
     pub fn check(&self, scene: &Scene, camera: &Camera, drawing: &Drawing<'_>) -> Result<()> {
         let is_own = Arc::ptr_eq(&scene.standing, &self.static_scene.standing);
         ensure!(is_own, "at", "poses of the scene that was reduced", "another scene");
@@ -263,7 +263,7 @@ impl Reduced {
         camera.least_pixel_angle() / if camera.is_parallel() { self.radii[1] } else { 1.0 }
     }
 
-    /// Checks the channels: far pixels have only those that were baked, and positions if the range was.
+    /// Checks that the map has the channels that far pixels need; positions need the range.
     fn check_channels(&self, channels: Channels) -> Result<()> {
         let Some(map) = &self.map else { return Ok(()) };
         let (has_range, has_objects) = (map.range.is_some(), map.object_id.is_some());
@@ -274,7 +274,7 @@ impl Reduced {
         ] {
             let expected =
                 format!("an environment map with {needed}{reason}: reduce with channels=(\"color\", \"{needed}\")");
-            ensure!(!is_requested || is_baked, "channels", expected, "a map without");
+            ensure!(!is_requested || is_baked, "channels", expected, "a map without it");
         }
         Ok(())
     }

@@ -49,7 +49,7 @@ impl Picture for Straight<'_> {
         closest(self.scene, rays, hits);
         match &self.moving {
             Some(moving) if self.placement == ConventionalDynamic::User => {
-                moving.trace_before(|n| segments[n], rays, hits)
+                moving.trace_in_front(|n| segments[n], rays, hits)
             }
             Some(moving) => moving.trace_beyond(&self.backdrop, self.radius, |n| segments[n], rays, hits),
             None => {}
@@ -57,8 +57,8 @@ impl Picture for Straight<'_> {
     }
 
     fn add_colors(&self, rays: &[Ray], hits: &[Hit], footprint: impl Fn(usize) -> Footprint, sums: &mut [[f32; 3]]) {
-        let missed = |n: usize| self.backdrop.color(rays[n].direction, || footprint(n));
-        add_colors(self.scene, rays, hits, &footprint, |&hit| hit, missed, sums);
+        let miss_color = |n: usize| self.backdrop.color(rays[n].direction, || footprint(n));
+        add_colors(self.scene, rays, hits, &footprint, |&hit| hit, miss_color, sums);
     }
 
     fn sample(&self, ray: &Ray, hit: &Hit, footprint: impl FnOnce() -> Footprint, channels: Channels) -> Sample {

@@ -5,18 +5,18 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use glam::DVec3;
 
 use super::outlines::check_offsets;
-use super::triangulate::{Clipper, Faces, by_polygon};
+use super::triangulate::{Clipper, Faces, collect_faces};
 use crate::base::{Progress, Result, ensure};
 
-/// Area, relative to the polygon's, that rounding errors of collinear points may cause: a triangle of a fan that has no
-/// more counts as one without area.
+/// Maximum area, relative to the polygon's, of a triangle that counts as one without area: rounding errors give such an
+/// area to collinear points.
 const ROUNDING: f64 = 1e-9;
 
-/// Greatest number of corners of a polygon that is clipped. Clipping one cannot be interrupted, and takes cubic time
+/// Maximum number of corners of a polygon whose ears are clipped. Clipping cannot be interrupted, and takes cubic time
 /// if the outline crosses itself.
 const MAX_CLIPPED: usize = 1 << 13;
 
-/// Numbers of polygons that are drawn as fans, although their fans do not cover them.
+/// Numbers of polygons that are drawn as fans although these do not cover them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Fans {
     /// Polygons of more than 8,192 corners.
@@ -47,9 +47,9 @@ pub(in crate::scene) enum Unclipped {
 /// Triangulates polygons between `points`: polygon p has the corners `corners[offsets[p]..offsets[p + 1]]`.
 ///
 /// Returns triangles of corner numbers, oriented like their polygons. Polygons of fewer than three corners have none.
-/// Corners in the middle of straight sides are corners of triangles with an area; corners at the place of another one
-/// may be left out. Polygons that cross themselves, have no area or more than 8,192 corners, with coordinates that are
-/// not finite or with corners that are no points, become fans.
+/// A corner in the middle of a straight side belongs to triangles with an area; of several corners at one position some
+/// may be unused. A polygon becomes a fan if it crosses itself, has no area or more than 8,192 corners, or if a corner
+/// is not finite or names no point.
 pub fn triangulate_faces(
     points: &[[f64; 3]],
     corners: &[u32],
@@ -59,7 +59,7 @@ pub fn triangulate_faces(
     ensure!(corners.len() <= u32::MAX as usize, "corners", "fewer than 2^32", corners.len());
     check_offsets("offsets", offsets, corners.len())?;
     let [large, crossing] = [AtomicU64::new(0), AtomicU64::new(0)];
-    let faces = by_polygon(offsets.len() - 1, progress, FaceClipper::default, |clipper, polygon, faces| {
+    let faces = collect_faces(offsets.len() - 1, progress, FaceClipper::default, |clipper, polygon, faces| {
         let [start, end] = [offsets[polygon], offsets[polygon + 1]].map(|offset| offset as u32);
         let position = |corner: &u32| points.get(*corner as usize).map_or(DVec3::NAN, |&point| point.into());
         let ring = corners[start as usize..end as usize].iter().map(position);
@@ -117,9 +117,11 @@ impl FaceClipper {
     }
 }
 
-/// Returns whether a fan from a polygon's first point covers it with triangles that have an area: none is turned against
-/// Newell's normal. True for points that are not finite. Triangles without area are accepted in polygons that are too
-/// large to be clipped: those at the first corner of a regular polygon have less area than the rounding error.
+/// Returns whether the fan from a polygon's first point covers the polygon with triangles that have an area, none of
+/// them turned against Newell's normal. Also true for points that are not finite.
+///
+/// Polygons that are too large to be clipped may have triangles without area: the first triangles of a regular polygon
+/// have less area than the rounding error.
 pub(in crate::scene) fn fan_covers(points: impl Iterator<Item = DVec3> + Clone) -> bool {
     let mut others = points;
     let Some(first) = others.next() else { return true };
@@ -195,7 +197,7 @@ mod tests {
     fn large_concave_polygons_are_counted() {
         let count = MAX_CLIPPED + 2;
         let spike = |n: usize| [n as f64, if n.is_multiple_of(2) { 1.0 } else { 0.5 }, 0.0];
-        // Below the spikes, so far that no edge to it crosses them.
+        // A corner so far below the spikes that no edge to it crosses them.
         let mut points = vec![spike(0), [4000.0, -1e6, 0.0]];
         points.extend((1..count - 1).rev().map(spike));
         let corners: Vec<u32> = (0..count as u32).collect();
@@ -222,8 +224,8 @@ mod tests {
         }
     }
 
-    /// Triangulates a square with further corners on its sides, from every first corner: each triangle has an area, and
-    /// each corner is one of a triangle, without a T-junction.
+    /// Triangulates a square with corners on its sides, from every first corner: each triangle has an area, and there
+    /// is no T-junction.
     #[test]
     fn corners_on_straight_sides_are_kept() {
         let square: [[f64; 3]; 9] = [
@@ -249,7 +251,7 @@ mod tests {
             assert_eq!((found.faces.len(), fans), (7, Fans::default()));
             let (signed, _) = areas(&points, if is_turned { rotation * DVec3::Z } else { DVec3::Z });
             assert!((signed.iter().sum::<f64>() - 16.0).abs() < 1e-12);
-            // Rotated corners are collinear up to rounding, so that a triangle may be as thin.
+            // After the rotation, corners are collinear only up to rounding, so triangles may be that thin.
             assert!(is_turned || signed.iter().all(|&area| area > 0.1), "{first} {signed:?}");
             // Each side of the outline is an edge of one triangle, and each other edge of two.
             let edge = |face: &[u32; 3], n: usize| [face[n], face[(n + 1) % 3]];

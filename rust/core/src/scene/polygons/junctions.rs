@@ -1,18 +1,17 @@
 //! Removal of T-junctions: points of an outline in the middle of a triangle's edge.
 //!
-//! Ear clipping drops points of straight outlines. A neighbouring face may have a corner there; where the morph moves
-//! it, a crack would open.
+//! Ear clipping drops points in the middle of straight sides. If a neighbouring face has a corner there and the morph
+//! moves that corner, a crack opens.
 
 use std::collections::HashSet;
 
 use crate::base::{Progress, Result};
 
-/// Distance from an edge, and from its ends, relative to its length, below which a point is on it.
+/// Tolerance for the distance of a point from an edge or from its ends, relative to the edge's length.
 const ROUNDING: f64 = 1e-9;
 
-/// Splits triangles at points that lie on their edges, unless more than `limit` triangles result. Only edges are split
-/// that are neither an edge of the outline nor one of a neighbouring triangle. `holes` are the first points of all
-/// rings but the first.
+/// Splits triangles at the points on their open edges, which belong neither to the outline nor to a second triangle.
+/// Changes nothing if more than `limit` triangles would result. `holes` are the first points of all inner rings.
 pub(super) fn split_at_points(
     points: &[[f64; 2]],
     holes: &[u32],
@@ -55,7 +54,7 @@ pub(super) fn split_at_points(
     Ok(())
 }
 
-/// Points in a k-d tree: the median of a range, by x and y in turn, is in its middle.
+/// An implicit k-d tree of points: the median of each range, by x and y in turn, is in the middle of the range.
 struct Tree<'a> {
     points: &'a [[f64; 2]],
     order: Vec<u32>,
@@ -68,7 +67,7 @@ impl<'a> Tree<'a> {
         Self { points, order }
     }
 
-    /// Returns the places and numbers of the points that are on an edge, but not at its ends.
+    /// Returns the points on an edge, except at its ends: the position along the edge and the number of each.
     fn points_on_edge(&self, edge: [[f64; 2]; 2]) -> Vec<(f64, u32)> {
         let [a, b] = edge;
         let greatest = edge.as_flattened().iter().fold(0.0f64, |greatest, value| greatest.max(value.abs()));
@@ -80,27 +79,27 @@ impl<'a> Tree<'a> {
             let Some((&middle, _)) = range[range.len() / 2..].split_first() else { continue };
             let point = self.points[middle as usize];
             found.extend(place_on_edge([a, b, point]).map(|place| (place, middle)));
-            // Only the part of the edge up to the median, or from it on, can have points of each half.
+            // Points before the median can only lie on the part of the edge before it, points after it on the other.
             let [low, high] = if start[axis] <= end[axis] { [start, end] } else { [end, start] };
-            let at = |value: f64| {
+            let point_at = |value: f64| {
                 let share = (value - low[axis]) / (high[axis] - low[axis]);
                 [0, 1].map(|axis| low[axis] + share * (high[axis] - low[axis]))
             };
-            let [least, most] = [point[axis] - margin, point[axis] + margin];
-            if low[axis] <= most {
+            let [min, max] = [point[axis] - margin, point[axis] + margin];
+            if low[axis] <= max {
                 let before = &range[..range.len() / 2];
-                ranges.push((before, 1 - axis, [low, if high[axis] > most { at(most) } else { high }]));
+                ranges.push((before, 1 - axis, [low, if high[axis] > max { point_at(max) } else { high }]));
             }
-            if high[axis] >= least {
+            if high[axis] >= min {
                 let after = &range[range.len() / 2 + 1..];
-                ranges.push((after, 1 - axis, [if low[axis] < least { at(least) } else { low }, high]));
+                ranges.push((after, 1 - axis, [if low[axis] < min { point_at(min) } else { low }, high]));
             }
         }
         found
     }
 }
 
-/// Moves the median of point numbers, by the coordinate `axis`, to their middle; each half then by the other one.
+/// Moves the median along `axis` to the middle of `order`, then those of both halves along the other axis, and so on.
 fn sort_medians(points: &[[f64; 2]], order: &mut [u32], axis: usize) {
     if order.len() < 2 {
         return;
@@ -121,7 +120,7 @@ fn outline_edges(count: u32, holes: &[u32]) -> impl Iterator<Item = [u32; 2]> {
     })
 }
 
-/// Returns the place of a point on an edge, from 0 to 1; `None` if it is not on it, or at one of its ends.
+/// Returns the position of a point along an edge, from 0 to 1; `None` if the point is off the edge or at an end.
 fn place_on_edge([a, b, point]: [[f64; 2]; 3]) -> Option<f64> {
     let (edge, offset) = ([b[0] - a[0], b[1] - a[1]], [point[0] - a[0], point[1] - a[1]]);
     let squared = edge[0] * edge[0] + edge[1] * edge[1];
@@ -169,7 +168,7 @@ mod tests {
 
     #[test]
     fn the_caller_can_cancel() {
-        // A triangle with a point in the middle of a side that is no corner.
+        // A triangle, and a point in the middle of a side that is not a corner of it.
         let points = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [0.0, 2.0]];
         let progress = Progress::new();
         let mut triangles = vec![[0, 2, 3]];
@@ -180,8 +179,7 @@ mod tests {
     }
 
     proptest! {
-        /// Points of a small grid, so that many are collinear or at one place: the tree finds the points that a search
-        /// of all of them finds.
+        /// Compares the tree with a search of all points, which lie on a small grid so that many are collinear or equal.
         #[test]
         fn the_tree_finds_all_points_on_an_edge(
             places in proptest::collection::vec((-6..6i8, -6..6i8), 2..80),

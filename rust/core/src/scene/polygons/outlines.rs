@@ -44,11 +44,11 @@ impl<'a> Polygons<'a> {
 
 /// Checks that offsets begin with 0, end with `count` and never decrease.
 pub(super) fn check_offsets(argument: &'static str, offsets: &[i64], count: usize) -> Result<()> {
-    let is_run = offsets.first() == Some(&0)
+    let is_ascending = offsets.first() == Some(&0)
         && offsets.last() == i64::try_from(count).ok().as_ref()
         && offsets.windows(2).all(|pair| pair[0] <= pair[1]);
-    let got = || format!("{} others", offsets.len());
-    ensure!(is_run, argument, format!("numbers that rise from 0 to {count}"), got());
+    let expected = || format!("numbers that ascend from 0 to {count}");
+    ensure!(is_ascending, argument, expected(), format!("{} other numbers", offsets.len()));
     Ok(())
 }
 

@@ -1,7 +1,7 @@
 //! Walls, roofs and floors of extruded outlines.
 
 use super::outlines::Polygons;
-use super::triangulate::{Clipper, Faces, by_polygon, doubled_ring_area};
+use super::triangulate::{Clipper, Faces, collect_faces, doubled_ring_area};
 use crate::base::{Error, Progress, Result, ensure};
 
 /// Returns the faces of upright prisms over polygons: walls, roof and, where `has_floor`, floor. They are
@@ -14,7 +14,7 @@ pub fn prisms(polygons: &Polygons, has_floor: &[bool], progress: &Progress) -> R
     let Some(count) = u32::try_from(count).ok().filter(|count| *count <= u32::MAX / 2) else {
         return Err(Error::value("points", "fewer than 2^31", count));
     };
-    by_polygon(polygons.len(), progress, Clipper::new, |clipper, polygon, faces| {
+    collect_faces(polygons.len(), progress, Clipper::new, |clipper, polygon, faces| {
         for (number, ring) in polygons.rings_of(polygon).enumerate() {
             if ring.len() < 3 {
                 continue;
@@ -41,8 +41,7 @@ pub fn prisms(polygons: &Polygons, has_floor: &[bool], progress: &Progress) -> R
 mod tests {
     use super::*;
 
-    /// Returns six times the enclosed volume, by the divergence theorem; positive if faces are counter-clockwise from
-    /// outside.
+    /// Returns six times the enclosed volume (divergence theorem), positive for counter-clockwise faces.
     fn volume(points: &[[f64; 2]], height: f64, faces: &[[u32; 3]]) -> f64 {
         let corner = |number: u32| {
             let [x, y] = points[number as usize % points.len()];
@@ -60,7 +59,7 @@ mod tests {
     const HOLE: [[f64; 2]; 4] = [[1.0, 1.0], [3.0, 1.0], [3.0, 3.0], [1.0, 3.0]];
 
     #[test]
-    fn prisms_are_closed_whatever_the_directions() {
+    fn prisms_are_closed_for_any_orientation_of_rings() {
         for turns in 0..4 {
             let (mut outer, mut hole) = (OUTER, HOLE);
             if turns % 2 == 1 {

@@ -1,4 +1,4 @@
-//! Triangulation of polygons by ear clipping: the crate `earcut`, a port of Mapbox's.
+//! Triangulation of polygons by ear clipping with the crate `earcut`, a port of Mapbox's library.
 
 use earcut::Earcut;
 
@@ -8,7 +8,7 @@ use crate::base::mapped::in_ranges;
 use crate::base::memory::try_with_capacity;
 use crate::base::{Progress, Result};
 
-/// Polygons per task: a task takes milliseconds and reuses its buffers.
+/// Polygons per task. A task takes milliseconds and reuses its buffers.
 const POLYGONS_PER_TASK: usize = 512;
 
 /// Faces of many items, in their order.
@@ -22,11 +22,11 @@ pub struct Faces {
 
 /// Triangulates polygons; corners are point numbers, counter-clockwise if y points up.
 ///
-/// Points in the middle of straight sides are corners of triangles, so that neighbours that end there fit without
-/// cracks. Points at the place of another one may be left out, and rings of fewer than three points are. If rings cross,
-/// touch or leave the outer ring, the result is some set of triangles between the points.
+/// Points in the middle of straight sides are corners of triangles, so there are no cracks beside neighbours that have
+/// a corner there. Of several points at one position some may be unused, and rings of fewer than three points are
+/// ignored. If rings cross, touch or leave the outer ring, the result is some set of triangles between the points.
 pub fn triangulate(polygons: &Polygons, progress: &Progress) -> Result<Faces> {
-    by_polygon(polygons.len(), progress, Clipper::new, |clipper, polygon, faces| {
+    collect_faces(polygons.len(), progress, Clipper::new, |clipper, polygon, faces| {
         clipper.clip(polygons, polygon, progress)?;
         faces.extend_from_slice(&clipper.triangles);
         Ok(())
@@ -34,7 +34,7 @@ pub fn triangulate(polygons: &Polygons, progress: &Progress) -> Result<Faces> {
 }
 
 /// Collects the faces that `add` appends for each of `count` items; each task creates its own scratch object.
-pub(super) fn by_polygon<T>(
+pub(super) fn collect_faces<T>(
     count: usize,
     progress: &Progress,
     new_scratch: impl Fn() -> T + Sync,
@@ -81,8 +81,8 @@ impl Clipper {
         Self { earcut: Earcut::new(), local, numbers, holes, corners, triangles }
     }
 
-    /// Triangulates a polygon relative to its first point, because large coordinates of national grids leave few
-    /// digits. Fails if the caller has cancelled.
+    /// Triangulates a polygon in coordinates relative to its first point, because the large coordinates of national
+    /// grids leave few digits for shapes. Fails if the caller has cancelled.
     pub(super) fn clip(&mut self, polygons: &Polygons, polygon: usize, progress: &Progress) -> Result<()> {
         self.local.clear();
         self.numbers.clear();
@@ -103,11 +103,10 @@ impl Clipper {
             self.local.extend(polygons.points[ring.clone()].iter().map(|point| [point[0] - x, point[1] - y]));
             self.numbers.extend(ring.start as u32..ring.end as u32);
         }
-        self.cut(progress)
+        self.triangulate(progress)
     }
 
-    /// Triangulates a ring of a few thousand points at most, without interruption; the triangles' corners are numbers
-    /// of its points.
+    /// Triangulates a ring of at most a few thousand points without interruption. Corners are numbers of its points.
     pub(super) fn clip_ring(&mut self, ring: impl Iterator<Item = [f64; 2]>) {
         self.local.clear();
         self.numbers.clear();
@@ -115,8 +114,8 @@ impl Clipper {
         self.triangles.clear();
         self.local.extend(ring);
         self.numbers.extend(0..self.local.len() as u32);
-        // Nobody cancels this progress, so that there is no error.
-        _ = self.cut(&Progress::new());
+        // Cannot fail, because this progress is never cancelled.
+        _ = self.triangulate(&Progress::new());
     }
 
     /// Returns twice the area of the triangles of the last ring.
@@ -124,17 +123,17 @@ impl Clipper {
         self.triangles.iter().map(|face| doubled_area(face.map(|corner| self.local[corner as usize]))).sum()
     }
 
-    fn cut(&mut self, progress: &Progress) -> Result<()> {
+    fn triangulate(&mut self, progress: &Progress) -> Result<()> {
         self.earcut.earcut_slice(&self.local, &self.holes, &mut self.corners);
         let (local, numbers) = (&self.local, &self.numbers);
         self.triangles.extend(self.corners.as_chunks::<3>().0.iter().map(|&[a, b, c]| {
-            let turned = doubled_area([a, b, c].map(|corner| local[corner as usize])) < 0.0;
-            if turned { [a, c, b] } else { [a, b, c] }
+            let is_clockwise = doubled_area([a, b, c].map(|corner| local[corner as usize])) < 0.0;
+            if is_clockwise { [a, c, b] } else { [a, b, c] }
         }));
-        // Triangles of a simple polygon that use all of its points.
-        let complete = (self.local.len() + 2 * self.holes.len()).saturating_sub(2);
-        if !self.triangles.is_empty() && self.triangles.len() < complete {
-            split_at_points(local, &self.holes, complete, &mut self.triangles, progress)?;
+        // Number of triangles that use all points of a simple polygon.
+        let full_count = (self.local.len() + 2 * self.holes.len()).saturating_sub(2);
+        if !self.triangles.is_empty() && self.triangles.len() < full_count {
+            split_at_points(local, &self.holes, full_count, &mut self.triangles, progress)?;
         }
         self.triangles.iter_mut().flatten().for_each(|corner| *corner = numbers[*corner as usize]);
         Ok(())
@@ -170,7 +169,7 @@ mod tests {
     const SQUARE: [[f64; 2]; 4] = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]];
 
     #[test]
-    fn holes_are_left_open_whatever_the_directions() {
+    fn holes_are_left_open_for_any_orientation_of_rings() {
         let hole = [[1.0, 1.0], [3.0, 1.0], [3.0, 3.0], [1.0, 3.0]];
         for turns in 0..4 {
             let (mut outer, mut inner) = (SQUARE, hole);
@@ -227,8 +226,7 @@ mod tests {
     }
 
     proptest! {
-        /// Star-shaped rings around a centre are simple, and so are smaller ones inside: areas follow the shoelace
-        /// formula.
+        /// Star-shaped rings around one centre are simple and do not touch, so areas follow the shoelace formula.
         #[test]
         fn areas_are_those_of_the_rings(
             outer in proptest::collection::vec(10.0..20.0f64, 3..60),
@@ -251,8 +249,7 @@ mod tests {
             prop_assert!((area_of(&points, &found.faces) - expected).abs() <= 1e-9 * expected.abs().max(1.0));
         }
 
-        /// Arbitrary points, with duplicates and crossing rings: corners are points of the polygon, no triangle is
-        /// flipped.
+        /// Arbitrary points, with duplicates and crossing rings: no triangle is flipped.
         #[test]
         fn random_rings_are_triangulated(
             points in proptest::collection::vec((0..6i8, 0..6i8), 0..40),

@@ -1,4 +1,4 @@
-//! Reader for polygons in well-known binary (WKB), by OGC and ISO and with the flags of PostGIS.
+//! Reader for polygons in well-known binary (WKB) of OGC and ISO, also with the flags of PostGIS.
 
 use super::outlines::check_offsets;
 use crate::base::mapped::in_ranges;
@@ -50,7 +50,7 @@ pub fn read(bytes: &[u8], offsets: &[i64], progress: &Progress) -> Result<Outlin
     concat(&parts)
 }
 
-/// Concatenates parts; their offsets are ends, to which this adds the leading 0.
+/// Concatenates parts and their offsets. A part's offsets lack the leading 0.
 fn concat(parts: &[Outlines]) -> Result<Outlines> {
     let mut all = Outlines { rings: vec![0], polygons: vec![0], rows: vec![0], ..Outlines::default() };
     try_grow(&mut all.points, parts.iter().map(|part| part.points.len()).sum())?;
@@ -69,7 +69,7 @@ fn concat(parts: &[Outlines]) -> Result<Outlines> {
 /// Header of a geometry.
 struct Header {
     is_little: bool,
-    /// Geometry type of OGC: 1 for points to 7 for collections, and others.
+    /// Geometry type of OGC, such as 1 for a point, 3 for a polygon and 7 for a collection.
     kind: u32,
     /// Coordinates per point, 2 to 4.
     columns: usize,
@@ -159,10 +159,10 @@ impl<'a> Reader<'a, '_> {
         self.take(count * 8 * header.columns)
     }
 
-    /// Reads a count of items of at least `least` bytes each; fails if the remaining bytes cannot hold them.
-    fn count(&mut self, header: &Header, least: usize) -> Parsed<usize> {
+    /// Reads a count of items of at least `min_size` bytes each; fails if the remaining bytes cannot hold them.
+    fn count(&mut self, header: &Header, min_size: usize) -> Parsed<usize> {
         let count = self.number(header.is_little)? as usize;
-        if count > self.bytes_left.len() / least {
+        if count > self.bytes_left.len() / min_size {
             return Err(format!("it claims {count} parts, more than its bytes can hold"));
         }
         Ok(count)

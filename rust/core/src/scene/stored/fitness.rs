@@ -9,13 +9,13 @@ use crate::base::{Aabb, Progress, REACH, Result};
 /// Rows read at a time; they fit in the first-level cache.
 pub(super) const ROWS_PER_PIECE: usize = 1 << 10;
 
-/// Maximum number of shared vertices per corner. Vertices that faces do not use cost memory.
+/// Maximum number of vertices in a shared range per corner. Vertices that faces do not use cost memory.
 const MAX_SPREAD: usize = 2;
 
-/// Range of a set's vertices that faces use.
+/// Range of a set's vertices that faces use, and the number of the faces' corners.
 #[derive(Clone)]
 struct UsedRange {
-    least: usize,
+    start: usize,
     end: usize,
     corners: usize,
 }
@@ -23,62 +23,63 @@ struct UsedRange {
 impl StoredMeshes {
     /// Sets `is_fit` and `bounds` of all meshes, and the ranges of shared vertices.
     pub(super) fn find_fit(&mut self, progress: &Progress) -> Result<()> {
-        let examine = |mesh: &StoredMesh| progress.check().map(|()| self.examined(mesh));
+        let examine = |mesh: &StoredMesh| progress.check().map(|()| self.examine(mesh));
         self.meshes = self.meshes.par_iter().map(examine).collect::<Result<_>>()?;
         Ok(())
     }
 
-    fn examined(&self, mesh: &StoredMesh) -> StoredMesh {
+    fn examine(&self, mesh: &StoredMesh) -> StoredMesh {
         let mut mesh = mesh.clone();
-        let mut uses = vec![UsedRange { least: usize::MAX, end: 0, corners: 0 }; mesh.vertices.len()];
+        let mut uses = vec![UsedRange { start: usize::MAX, end: 0, corners: 0 }; mesh.vertices.len()];
         for faces in mesh.faces.iter().filter(|faces| faces.count > 0) {
-            let (least, greatest) = self.limits(faces, &mesh.vertices);
+            let (min, max) = self.vertex_range(faces, &mesh.vertices);
             let used = &mut uses[faces.set];
-            used.least = used.least.min(least as usize);
-            used.end = used.end.max(greatest as usize + 1);
+            used.start = used.start.min(min as usize);
+            used.end = used.end.max(max as usize + 1);
             used.corners += 3 * faces.count;
         }
         let mut is_fit = true;
         for (set, used) in mesh.vertices.iter_mut().zip(&uses) {
             is_fit &= used.end <= set.count;
             if set.is_shared {
-                (set.first, set.count) = (used.least.min(used.end), used.end.saturating_sub(used.least));
+                (set.first, set.count) = (used.start.min(used.end), used.end.saturating_sub(used.start));
                 is_fit &= set.count <= MAX_SPREAD * used.corners;
             }
         }
         if is_fit {
             let bounds = mesh.vertices.par_iter().map(|set| self.box_of(set)).collect::<Option<Vec<_>>>();
-            mesh.bounds = bounds.iter().flatten().fold(Aabb::EMPTY, |all, one| all.union(one));
+            mesh.bounds = bounds.iter().flatten().fold(Aabb::EMPTY, |all, bounds| all.union(bounds));
             mesh.is_fit = bounds.is_some() && f64::from(mesh.bounds.reach()) <= REACH;
         }
         mesh
     }
 
     /// Returns the smallest and largest vertex number of faces.
-    fn limits(&self, faces: &FaceSet, vertices: &[VertexSet]) -> (u32, u32) {
+    fn vertex_range(&self, faces: &FaceSet, vertices: &[VertexSet]) -> (u32, u32) {
         let Some(rows) = faces.corners else { return (0, (vertices[faces.set].count as u32).saturating_sub(1)) };
         let table = self.table(rows);
-        let of_piece = |first: usize, slots: &mut [[u32; 3]]| {
+        let piece_range = |first: usize, slots: &mut [[u32; 3]]| {
             table.corners(first, slots);
             let numbers = slots.as_flattened();
-            numbers.iter().fold((u32::MAX, 0), |(least, greatest), &number| (least.min(number), greatest.max(number)))
+            numbers.iter().fold((u32::MAX, 0), |(min, max), &number| (min.min(number), max.max(number)))
         };
-        in_pieces(faces.count, of_piece).reduce(|| (u32::MAX, 0), |a, b| (a.0.min(b.0), a.1.max(b.1)))
+        map_pieces(faces.count, piece_range).reduce(|| (u32::MAX, 0), |a, b| (a.0.min(b.0), a.1.max(b.1)))
     }
 
-    /// Returns the boxes of the faces of fit meshes, each in its own frame; unused vertices may make `bounds` larger.
+    /// Returns the boxes of the faces of fit meshes, each in its own frame. `bounds` may be larger, because it includes
+    /// unused vertices.
     pub fn face_bounds(&self, progress: &Progress) -> Result<Vec<[[f64; 3]; 2]>> {
-        let of_mesh = |mesh: &StoredMesh| {
+        let bounds_of_mesh = |mesh: &StoredMesh| {
             progress.check()?;
             let sets = mesh.faces.par_iter().filter(|_| mesh.is_fit).map(|faces| self.box_of_faces(faces, mesh));
             Ok(self.sides(&sets.reduce(|| Aabb::EMPTY, |a, b| a.union(&b))))
         };
-        self.meshes.par_iter().map(of_mesh).collect()
+        self.meshes.par_iter().map(bounds_of_mesh).collect()
     }
 
     fn box_of_faces(&self, faces: &FaceSet, mesh: &StoredMesh) -> Aabb {
         let vertices = self.table(mesh.vertices[faces.set].attributes.positions);
-        let of_piece = |first: usize, slots: &mut [[u32; 3]]| {
+        let bounds_of_piece = |first: usize, slots: &mut [[u32; 3]]| {
             self.write_faces(faces, first, slots);
             slots.as_flattened().iter().fold(Aabb::EMPTY, |mut bounds, &vertex| {
                 let mut point = [[0.0; 3]];
@@ -87,13 +88,13 @@ impl StoredMeshes {
                 bounds
             })
         };
-        in_pieces(faces.count, of_piece).reduce(|| Aabb::EMPTY, |a, b| a.union(&b))
+        map_pieces(faces.count, bounds_of_piece).reduce(|| Aabb::EMPTY, |a, b| a.union(&b))
     }
 
     /// Returns the box of a set's vertices; `None` if one is not finite.
     fn box_of(&self, set: &VertexSet) -> Option<Aabb> {
         let table = self.table(set.attributes.positions);
-        let of_piece = |first: usize, slots: &mut [[f32; 3]]| {
+        let bounds_of_piece = |first: usize, slots: &mut [[f32; 3]]| {
             table.floats(set.first + first, slots);
             let mut bounds = Aabb::EMPTY;
             let mut sum = Vec3::ZERO;
@@ -104,12 +105,12 @@ impl StoredMeshes {
             }
             (sum == Vec3::ZERO).then_some(bounds)
         };
-        in_pieces(set.count, of_piece).try_reduce(|| Aabb::EMPTY, |a, b| Some(a.union(&b)))
+        map_pieces(set.count, bounds_of_piece).try_reduce(|| Aabb::EMPTY, |a, b| Some(a.union(&b)))
     }
 }
 
-/// Calls `read` for pieces of `count` rows: with the first row of each, and slots for its rows.
-pub(super) fn in_pieces<T: Copy + Default, const W: usize, R: Send>(
+/// Divides `count` rows into pieces. `read` gets a piece's first row and slots for its rows; its results are returned.
+pub(super) fn map_pieces<T: Copy + Default, const W: usize, R: Send>(
     count: usize,
     read: impl Fn(usize, &mut [[T; W]]) -> R + Sync + Send,
 ) -> impl IndexedParallelIterator<Item = R> {

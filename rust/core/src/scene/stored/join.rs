@@ -1,4 +1,4 @@
-//! Joining of stored meshes, each placed: their bytes are read once, into the arrays of the result.
+//! Joining of placed stored meshes. Their bytes are read once, into the arrays of the result.
 
 use glam::{DAffine3, Vec3};
 use rayon::prelude::*;
@@ -32,13 +32,13 @@ impl StoredMeshes {
         self.join(&[StoredPart { mesh, to_scene: DAffine3::IDENTITY, object: -1 }], progress)
     }
 
-    /// Returns several meshes, each as by `mesh`.
+    /// Returns several meshes, as `mesh` does.
     pub fn meshes(&self, chosen: &[usize], progress: &Progress) -> Result<Vec<Mesh>> {
         chosen.par_iter().map(|&mesh| self.mesh(mesh, progress)).collect()
     }
 
-    /// Joins meshes in order. Vertices without an attribute that others have get a neutral value: white, no normal,
-    /// texture coordinates 0.
+    /// Joins meshes in order. If only some vertices have an attribute, the others get a neutral value: white, no
+    /// normal, texture coordinates 0.
     pub fn join(&self, parts: &[StoredPart], progress: &Progress) -> Result<Mesh> {
         ensure!(parts.iter().all(|part| part.to_scene.is_finite()), "transform", "finite numbers", "NaN or infinity");
         let vertex_count: usize = parts.iter().map(|part| self.vertex_count(part.mesh)).sum();
@@ -61,15 +61,15 @@ impl StoredMeshes {
         let joined = |maps: &[(FaceMap, usize)]| FaceMap::concat(maps.iter().map(|(map, count)| (map, *count)));
         let (objects, materials) = (joined(&objects)?, joined(&materials)?);
         progress.check()?;
-        Mesh::unchecked(positions, faces, uvs, colors, objects, materials).shaded_by(normals).within_reach()
+        Mesh::unchecked(positions, faces, uvs, colors, objects, materials).shaded_by(normals).checked_reach()
     }
 
     fn positions(&self, parts: &[StoredPart], progress: &Progress) -> Result<Buffer<[f32; 3]>> {
-        let positions = self.by_vertex(parts, [0.0; 3], progress, |part, set, first, slots| {
+        let positions = self.collect_by_vertex(parts, [0.0; 3], progress, |part, set, first, slots| {
             self.table(set.attributes.positions).floats(first, slots);
             if self.scale != 1.0 || part.to_scene != DAffine3::IDENTITY {
                 for slot in slots {
-                    // Rounded once: a scaled coordinate may need digits that float32 has only after placement.
+                    // Rounded only after placement, which may make coordinates smaller and float32 more precise.
                     let point = Vec3::from_array(*slot).as_dvec3() * self.scale;
                     *slot = part.to_scene.transform_point3(point).as_vec3().to_array();
                 }
@@ -80,10 +80,10 @@ impl StoredMeshes {
     }
 
     fn normals(&self, parts: &[StoredPart], progress: &Progress) -> Result<Buffer<[f32; 3]>> {
-        self.by_vertex(parts, [0.0; 3], progress, |part, set, first, slots| {
+        self.collect_by_vertex(parts, [0.0; 3], progress, |part, set, first, slots| {
             let Some(rows) = set.attributes.normals else { return };
             self.table(rows).floats(first, slots);
-            // Integer normals never have exactly unit length.
+            // Quantised normals are always normalised: their length is never exactly 1.
             let tolerance = if self.rows[rows].number == Number::F32 { UNIT_TOLERANCE } else { 0.0 };
             slots.iter_mut().for_each(|slot| *slot = unit(*slot, tolerance));
             if part.to_scene != DAffine3::IDENTITY {
@@ -94,7 +94,7 @@ impl StoredMeshes {
     }
 
     fn uvs(&self, parts: &[StoredPart], progress: &Progress) -> Result<Buffer<[f32; 2]>> {
-        self.by_vertex(parts, [0.0; 2], progress, |_, set, first, slots| {
+        self.collect_by_vertex(parts, [0.0; 2], progress, |_, set, first, slots| {
             let Some(rows) = set.attributes.uvs else { return };
             self.table(rows).floats(first, slots);
             // v points down in files.
@@ -103,16 +103,15 @@ impl StoredMeshes {
     }
 
     fn colors(&self, parts: &[StoredPart], progress: &Progress) -> Result<Buffer<[u8; 4]>> {
-        self.by_vertex(parts, [255; 4], progress, |_, set, first, slots| {
+        self.collect_by_vertex(parts, [255; 4], progress, |_, set, first, slots| {
             if let Some(rows) = set.attributes.colors {
                 self.table(rows).colors(first, slots);
             }
         })
     }
 
-    /// Collects values of all vertices; `write` gets a part, one of its sets, the first of some of its rows, and their
-    /// slots.
-    fn by_vertex<T: Copy + Send + Sync + 'static>(
+    /// Collects a value for each vertex. `write` gets a part, one of its vertex sets, the first row and slots for rows.
+    fn collect_by_vertex<T: Copy + Send + Sync + 'static>(
         &self,
         parts: &[StoredPart],
         neutral: T,
@@ -202,7 +201,7 @@ impl StoredMeshes {
     }
 }
 
-/// A range of a block that holds aligned values.
+/// A range of a block, viewed as aligned values.
 struct Borrowed<T> {
     block: Buffer<u8>,
     range: std::ops::Range<usize>,
@@ -223,8 +222,7 @@ impl StoredMesh {
     }
 }
 
-/// Normalises a normal; returns it unchanged if its squared length is within `tolerance` of 1, and zeros if it is not
-/// finite.
+/// Normalises a normal unless its squared length is within `tolerance` of 1. Returns zeros if it is not finite.
 fn unit(normal: [f32; 3], tolerance: f32) -> [f32; 3] {
     let vector = Vec3::from_array(normal);
     if (vector.length_squared() - 1.0).abs() <= tolerance {

@@ -1,4 +1,4 @@
-//! Stored meshes: vertex sets and the faces between them, as rows of numbers in blocks of bytes.
+//! Stored meshes: sets of vertices and of faces, as rows of numbers in blocks of bytes.
 
 use std::collections::HashMap;
 
@@ -14,7 +14,7 @@ pub struct Attributes {
     pub normals: Option<usize>,
     /// Texture coordinates, two numbers, v downwards.
     pub uvs: Option<usize>,
-    /// Linear colours, three or four components, always fractions.
+    /// Linear colours, three or four components; integers are always normalised.
     pub colors: Option<usize>,
 }
 
@@ -39,7 +39,7 @@ pub(super) struct VertexSet {
     pub first: usize,
     /// Number of vertices that are used.
     pub count: usize,
-    /// Whether other sets have the same positions, so that only the range of vertices that faces use is taken.
+    /// Whether other sets have the same positions. If so, only the range of vertices that faces use is read.
     pub is_shared: bool,
 }
 
@@ -74,7 +74,7 @@ pub struct StoredMeshes {
 }
 
 impl StoredMeshes {
-    /// Checks that all rows lie within their blocks and are consistent, and finds which meshes are fit for use.
+    /// Creates meshes. Checks that all rows lie within their blocks and are consistent, and finds which meshes are fit.
     pub fn new(blocks: Vec<Buffer<u8>>, rows: Vec<Rows>, faces: &[StoredFaces], progress: &Progress) -> Result<Self> {
         for (number, row) in rows.iter().enumerate() {
             let length = blocks.get(row.block).map(|block| block.len());
@@ -83,9 +83,9 @@ impl StoredMeshes {
             ensure!(fits, "rows", "rows within their blocks", format!("{} at index {number}", got()));
         }
         let mut stored = Self { blocks, rows, meshes: Vec::new(), scale: 1.0 };
-        let mut known = HashMap::new();
+        let mut sets = HashMap::new();
         for part in faces {
-            stored.add(part, &mut known)?;
+            stored.add(part, &mut sets)?;
         }
         stored.find_shared();
         stored.find_fit(progress)?;
@@ -97,7 +97,7 @@ impl StoredMeshes {
         Self { scale: self.scale * factor, ..self.clone() }
     }
 
-    /// Returns a subset of the meshes; ranges of shared vertices stay as they are.
+    /// Returns a subset of the meshes; ranges of shared vertices do not change.
     pub fn only(&self, meshes: &[usize]) -> Self {
         let (blocks, rows) = (self.blocks.clone(), self.rows.clone());
         Self { blocks, rows, meshes: meshes.iter().map(|&mesh| self.meshes[mesh].clone()).collect(), scale: self.scale }
@@ -113,19 +113,19 @@ impl StoredMeshes {
         Ok(changed)
     }
 
-    /// Adds faces to their mesh; `known` maps attributes to vertex sets of the last mesh.
-    fn add(&mut self, part: &StoredFaces, known: &mut HashMap<Attributes, usize>) -> Result<()> {
+    /// Adds faces to their mesh; `sets` maps attributes to vertex sets of the last mesh.
+    fn add(&mut self, part: &StoredFaces, sets: &mut HashMap<Attributes, usize>) -> Result<()> {
         let count = self.check_faces(part)?;
         let is_next = part.mesh.saturating_add(1) >= self.meshes.len() && part.mesh <= self.meshes.len();
         ensure!(is_next, "faces", "meshes that ascend without gaps", part.mesh);
         if part.mesh == self.meshes.len() {
             let (vertices, faces) = (Vec::new(), Vec::new());
             self.meshes.push(StoredMesh { vertices, faces, is_fit: false, bounds: Aabb::EMPTY });
-            known.clear();
+            sets.clear();
         }
         let vertex_count = self.rows[part.attributes.positions].count;
         let mesh = &mut self.meshes[part.mesh];
-        let set = *known.entry(part.attributes).or_insert_with(|| {
+        let set = *sets.entry(part.attributes).or_insert_with(|| {
             let attributes = part.attributes;
             mesh.vertices.push(VertexSet { attributes, first: 0, count: vertex_count, is_shared: false });
             mesh.vertices.len() - 1
@@ -186,8 +186,8 @@ impl StoredMeshes {
         self.meshes.is_empty()
     }
 
-    /// Returns whether a mesh is usable: its coordinates are finite, its faces have vertices, and the vertices that it
-    /// shares with other meshes lie close together in the file.
+    /// Returns whether a mesh is usable: its coordinates are finite, all corners name vertices, and the vertices that
+    /// it shares with other meshes lie close together in the file.
     pub fn is_fit(&self, mesh: usize) -> bool {
         self.meshes[mesh].is_fit
     }

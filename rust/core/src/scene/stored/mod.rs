@@ -1,5 +1,5 @@
-//! Meshes stored in the bytes of files: rows of numbers, converted to arrays when a mesh is used, once and in place. A
-//! file of ten thousand meshes is read without an array for each of them.
+//! Meshes stored in the bytes of files as rows of numbers, which are converted when a mesh is used. So a file of ten
+//! thousand meshes is read without an array for each mesh.
 
 mod color;
 mod fitness;

@@ -4,7 +4,7 @@ use crate::base::Buffer;
 
 /// Number type of rows, little-endian.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[expect(missing_docs, reason = "the names say it")]
+#[expect(missing_docs, reason = "the names of Rust's types")]
 pub enum Number {
     I8,
     U8,
@@ -56,7 +56,7 @@ impl Rows {
         before.checked_mul(self.step)?.checked_add(self.start)?.checked_add(self.size())
     }
 
-    /// Returns the byte range of rows without gaps between them; `None` if there are gaps.
+    /// Returns the byte range of some rows; `None` if there are gaps between rows.
     pub fn tight(&self, first: usize, count: usize) -> Option<std::ops::Range<usize>> {
         let start = self.start + first * self.step;
         (self.step == self.size()).then(|| start..start + count * self.step)
@@ -131,9 +131,9 @@ impl<'a> Table<'a> {
         Self { rows, bytes: self.bytes }
     }
 
-    /// Writes `of` for each row of `W` 16-bit numbers.
-    pub fn shorts<R, const W: usize>(&self, first: usize, slots: &mut [R], of: impl Fn([u16; W]) -> R) {
-        self.each_row(first, slots, of);
+    /// Converts rows of `W` 16-bit numbers from number `first` on.
+    pub fn shorts<R, const W: usize>(&self, first: usize, slots: &mut [R], convert: impl Fn([u16; W]) -> R) {
+        self.each_row(first, slots, convert);
     }
 
     /// Writes rows from number `first` on as float32; normalised integers become fractions.
@@ -147,7 +147,7 @@ impl<'a> Table<'a> {
         });
     }
 
-    /// Writes faces from number `first` on, each from three rows of one integer.
+    /// Writes faces from number `first` on; a face consists of three rows of one integer.
     pub fn corners(&self, first: usize, slots: &mut [[u32; 3]]) {
         let faces = Self { rows: Rows { step: 3 * self.rows.step, width: 3, ..self.rows }, bytes: self.bytes };
         match self.rows.number {
@@ -157,21 +157,21 @@ impl<'a> Table<'a> {
         }
     }
 
-    /// Writes rows of `W` numbers as fractions of 1: integers are always normalised.
+    /// Writes rows of `W` numbers; integers are always normalised to fractions.
     pub fn fractions<const W: usize>(&self, first: usize, slots: &mut [[f32; W]]) {
         with_number!(self.rows.number, T => self.map_rows(first, slots, T::fraction));
     }
 
-    fn map_rows<T: Stored, R, const W: usize>(&self, first: usize, slots: &mut [[R; W]], of: impl Fn(T) -> R) {
-        self.each_row(first, slots, |row: [T; W]| row.map(&of));
+    fn map_rows<T: Stored, R, const W: usize>(&self, first: usize, slots: &mut [[R; W]], convert: impl Fn(T) -> R) {
+        self.each_row(first, slots, |row: [T; W]| row.map(&convert));
     }
 
-    fn each_row<T: Stored, R, const W: usize>(&self, first: usize, slots: &mut [R], of: impl Fn([T; W]) -> R) {
+    fn each_row<T: Stored, R, const W: usize>(&self, first: usize, slots: &mut [R], convert: impl Fn([T; W]) -> R) {
         let start = self.rows.start + first * self.rows.step;
         for (row, slot) in slots.iter_mut().enumerate() {
             let row_start = start + row * self.rows.step;
             let bytes = &self.bytes[row_start..row_start + W * T::SIZE];
-            *slot = of(std::array::from_fn(|column| T::first_of(&bytes[column * T::SIZE..])));
+            *slot = convert(std::array::from_fn(|column| T::first_of(&bytes[column * T::SIZE..])));
         }
     }
 }
@@ -181,7 +181,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_of_every_type_and_fractions_of_their_greatest() {
+    fn numbers_of_every_type_are_read_and_normalised() {
         let blocks = [Buffer::from(vec![0u8, 0x80, 0x7f, 0xff, 0, 0, 0x80, 0x3f])];
         let one = |start, number, is_fraction| {
             let rows = Rows { block: 0, start, step: 4, count: 1, width: 1, number, is_fraction };
@@ -197,7 +197,7 @@ mod tests {
     }
 
     #[test]
-    fn ends_are_known_without_overflow() {
+    fn ends_do_not_overflow() {
         let rows = Rows { block: 0, start: 4, step: 12, count: 3, width: 2, number: Number::U16, is_fraction: false };
         assert_eq!((rows.size(), rows.end()), (4, Some(32)));
         assert_eq!(Rows { count: 0, ..rows }.end(), Some(4));

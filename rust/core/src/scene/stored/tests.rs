@@ -60,7 +60,7 @@ fn part(mesh: usize, to_scene: DAffine3, object: i32) -> StoredPart {
 }
 
 #[test]
-fn joined_meshes_are_those_merged_from_arrays() {
+fn joined_meshes_equal_meshes_merged_from_arrays() {
     let mut bytes = Bytes::default();
     let positions = bytes.add(&SQUARE, Number::F32, false, 4);
     let normals = bytes.add(&[[0.0, 0.0, 127.0]; 4], Number::I8, true, 1);
@@ -112,16 +112,15 @@ fn joined_meshes_are_those_merged_from_arrays() {
 }
 
 #[test]
-fn faces_of_one_mesh_share_vertices_and_other_meshes_take_their_range() {
+fn faces_of_one_mesh_share_vertices_and_meshes_read_only_their_range() {
     let mut bytes = Bytes::default();
     let pool: Vec<[f32; 3]> = (0..30).map(|i| [i as f32, (i * i) as f32, 0.0]).collect();
     let positions = bytes.add(&pool, Number::F32, false, 0);
     let low = bytes.add(&[[0.0], [1.0], [2.0]], Number::U8, false, 0);
     let high = bytes.add(&[[20.0], [21.0], [23.0]], Number::U32, false, 0);
     let wide = bytes.add(&[[0.0], [1.0], [29.0]], Number::U8, false, 0);
-    let of = attributes(positions);
-    let table = [faces(0, of, low, 0), faces(0, of, low, 1), faces(1, of, high, 0), faces(2, of, wide, 0)];
-    let stored = bytes.stored(&table);
+    let faces = |mesh, corners, material| faces(mesh, attributes(positions), corners, material);
+    let stored = bytes.stored(&[faces(0, low, 0), faces(0, low, 1), faces(1, high, 0), faces(2, wide, 0)]);
     assert_eq!([0, 1, 2].map(|mesh| stored.is_fit(mesh)), [true, true, false]);
     assert_eq!([0, 1].map(|mesh| stored.vertex_count(mesh)), [3, 4]);
     let boxes = stored.face_bounds(&Progress::new()).unwrap();
@@ -153,7 +152,7 @@ fn boxes_of_faces_exclude_unused_vertices() {
 }
 
 #[test]
-fn arrays_that_lie_as_they_are_used_are_not_copied() {
+fn arrays_in_usable_form_are_not_copied() {
     let mut bytes = Bytes::default();
     let positions = bytes.add(&SQUARE, Number::F32, false, 0);
     let corners = bytes.add(&HALVES, Number::U32, false, 0);
@@ -167,7 +166,7 @@ fn arrays_that_lie_as_they_are_used_are_not_copied() {
 }
 
 #[test]
-fn scaled_coordinates_are_rounded_at_their_place() {
+fn scaled_coordinates_are_rounded_after_placement() {
     let mut bytes = Bytes::default();
     let feet = [[500_000.03, 0.0, 0.0], [500_000.06, 0.0, 0.0], [500_000.0, 9.0, 0.0]];
     let positions = bytes.add(&feet, Number::F32, false, 0);
@@ -193,7 +192,7 @@ fn meshes_with_missing_or_non_finite_values_are_unfit() {
 }
 
 #[test]
-fn normals_get_length_one_and_colours_know_their_alpha() {
+fn normals_are_normalised_and_transparent_colours_are_found() {
     let mut bytes = Bytes::default();
     let positions = bytes.add(&SQUARE[..3], Number::F32, false, 0);
     let normals = bytes.add(&[[0.0, 3.0, 0.0], [0.0; 3], [0.0, f32::NAN, 1.0]], Number::F32, false, 0);

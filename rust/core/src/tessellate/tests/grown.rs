@@ -26,10 +26,10 @@ fn any_settings() -> impl Strategy<Value = Settings> {
     )
 }
 
-/// Splits a triangle, with the other corners scaled towards its first one, and compares its error with the bound.
+/// Splits a triangle, scaled about its first corner, and compares its error with the bound.
 fn check_bound([a, b, c]: [DVec3; 3], size: f64, settings: &Settings, seed: u64) -> Result<(), TestCaseError> {
     let rule = Rule::new(settings, Precision::Double).unwrap();
-    prop_assert!(rule.demand().is_ok());
+    prop_assert!(rule.require_bound().is_ok());
     let split = pieces([a, a + (b - a) * size, a + (c - a) * size], &rule);
     prop_assert!(split.len() < 600_000, "{}", split.len());
     let (stages, points) = if split.len() > 500 { (4, 5) } else { (16, 10) };
@@ -65,7 +65,7 @@ proptest! {
     fn no_step_changes_the_stretch_by_more_than_its_bound(
         e in 0.01..0.5f64, kappa in 0.0..1.0f64, turn in 0.0..6.2f64, step in 0.0..6.2f64,
     ) {
-        // In the unit of ρ, with the user at (e, 0).
+        // In units of ρ, with the user at (e, 0).
         let (user, x) = (DVec2::new(e, 0.0), DVec2::from_angle(turn));
         let stretch = |x: DVec2, kappa: f64| {
             let y = x - user * kappa;
@@ -83,7 +83,7 @@ proptest! {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(24))]
     #[test]
-    fn neighbours_get_the_same_vertices_and_nothing_is_lost(
+    fn neighbours_get_the_same_vertices_and_pieces_cover_them(
         a in point(), b in point(), c in point(), d in point(), settings in any_settings(), single in any::<bool>(),
     ) {
         let settings = Settings { tolerance: 16.0 * settings.tolerance, ..settings };
@@ -116,6 +116,6 @@ fn pieces_grow_with_the_height_above_the_centre() {
         pieces([a, b, c], &rule).len() + pieces([a, c, d], &rule).len()
     };
     let counts = [10.0, 1e3, 1e6].map(count);
-    // From 10 m to 1000 km the height doubles 17 times, and each doubling takes about as many pieces.
+    // From 10 m to 1000 km the height doubles 17 times, and each doubling needs about as many pieces.
     assert!(counts[2] < 20 * counts[0], "{counts:?}");
 }

@@ -8,8 +8,8 @@ use super::*;
 
 /// A square of two triangles, perpendicular to the z axis.
 fn wall(z: f32, half: f32) -> Vec<[Vec3; 3]> {
-    let at = |x: f32, y: f32| Vec3::new(x * half, y * half, z);
-    let (a, b, c, d) = (at(-1.0, -1.0), at(1.0, -1.0), at(1.0, 1.0), at(-1.0, 1.0));
+    let corner = |x: f32, y: f32| Vec3::new(x * half, y * half, z);
+    let (a, b, c, d) = (corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0));
     vec![[a, b, c], [a, c, d]]
 }
 
@@ -18,14 +18,14 @@ fn nearest_hit(scene: &Scene, ray: Ray) -> Hit {
 }
 
 #[test]
-fn negative_zeros_and_nearness() {
+fn negative_zeros_and_surfaces_at_the_origin() {
     let scene = scene(vec![(mesh(&wall(5.0, 3.0)), DAffine3::IDENTITY)], vec![]);
     for x in [0.0, -0.0] {
         for y in [0.0, -0.0] {
             assert_eq!(nearest_hit(&scene, ray(Vec3::new(0.5, 0.25, 0.0), Vec3::new(x, y, 1.0))).t, 5.0);
         }
     }
-    // On the surface, one float32 step and 1e-5 before it, from both sides.
+    // Origins on the surface, one float32 step before it, and 1e-5 before it, on both sides.
     for (gap, toward) in [(0.0, 1.0), (4.8e-7, 1.0), (1e-5, 1.0), (-1e-5, -1.0), (0.0, -1.0)] {
         let origin = Vec3::new(0.5, 0.25, 5.0 - gap);
         let hit = nearest_hit(&scene, ray(origin, Vec3::new(0.0, 0.0, toward)));
@@ -128,7 +128,7 @@ fn triangles_nested_over_the_whole_range_of_sizes() {
     let mesh = mesh(&triangles);
     assert_eq!(mesh.build_bvh(&Progress::new()).unwrap().validate(), Ok(()));
     let scene = scene(vec![(mesh, DAffine3::IDENTITY)], vec![]);
-    // The smallest square that contains (0.7, 0.2) has half side 1: i = 60, with two faces per square.
+    // The smallest square that contains (0.7, 0.2) has a half side of 1 and is number 60, with two faces per square.
     assert_eq!(nearest_hit(&scene, ray(Vec3::new(0.7, 0.2, 0.0), Vec3::Z)).face, 120);
 }
 
@@ -154,7 +154,7 @@ fn a_cancelled_cast_stops_and_can_be_repeated() {
 }
 
 #[test]
-fn rays_that_overflow_are_no_panics() {
+fn rays_that_overflow_do_not_panic() {
     let placed = DAffine3::from_scale_rotation_translation(DVec3::splat(1e-35), DQuat::IDENTITY, DVec3::X);
     for transform in [DAffine3::IDENTITY, placed] {
         let scene = scene(vec![(mesh(&wall(5.0, 3.0)), transform), (mesh(&wall(7.0, 3.0)), transform)], vec![]);
@@ -176,7 +176,7 @@ fn trees_can_be_built_by_all_threads_at_once() {
         let triangles: Vec<[Vec3; 3]> =
             (0..1_000).flat_map(|n| wall(((n * 7919 + turn) % 1_009) as f32, 1.0)).collect();
         let mesh = mesh(&triangles);
-        // A thread that waits for a part of its tree may run another of these tasks.
+        // A thread that waits for a part of its tree may start another of these builds.
         pool.install(|| (0..8).into_par_iter().for_each(|_| assert!(mesh.build_bvh(&Progress::new()).is_ok())));
     }
 }

@@ -17,8 +17,8 @@ fn ground(n: usize, size: f32, shift: Vec3) -> (Vec<Vec3>, Vec<[usize; 3]>) {
     (points, faces)
 }
 
-/// Rays from above to points of all inner edges and to all inner vertices.
-fn aimed(points: &[Vec3], faces: &[[usize; 3]], n: usize, eye: impl Fn(Vec3) -> Vec3) -> Vec<Ray> {
+/// Rays from `eye` to points on all inner edges and to all inner vertices.
+fn rays_to_edges(points: &[Vec3], faces: &[[usize; 3]], n: usize, eye: impl Fn(Vec3) -> Vec3) -> Vec<Ray> {
     let inner = |i: usize| (1..n).contains(&(i % (n + 1))) && (1..n).contains(&(i / (n + 1)));
     let mut rays = vec![];
     for (number, face) in faces.iter().enumerate() {
@@ -36,7 +36,7 @@ fn aimed(points: &[Vec3], faces: &[[usize; 3]], n: usize, eye: impl Fn(Vec3) -> 
 }
 
 #[test]
-fn aimed_at_edges_and_vertices_near_and_far() {
+fn no_ray_passes_an_edge_or_a_vertex_near_or_far() {
     let n = 16;
     for shift in [Vec3::ZERO, Vec3::new(1e4, -30.0, -1e4), Vec3::new(-7e3, 1e4, 31.7)] {
         for size in [0.1, 1.0, 25.0] {
@@ -45,8 +45,8 @@ fn aimed_at_edges_and_vertices_near_and_far() {
             let scene = scene(vec![(mesh(&triangles), DAffine3::IDENTITY)], vec![]);
             let middle = shift + Vec3::new(n as f32 * size / 2.0, 6.0 * size, n as f32 * size / 2.0);
             // From one eye, straight down (parallel to an axis), and with negative zeros.
-            let one_eye = aimed(&points, &faces, n, |_| middle);
-            let above = aimed(&points, &faces, n, |p| Vec3::new(p.x, shift.y + 5.0 * size, p.z));
+            let one_eye = rays_to_edges(&points, &faces, n, |_| middle);
+            let above = rays_to_edges(&points, &faces, n, |p| Vec3::new(p.x, shift.y + 5.0 * size, p.z));
             let mut zeros = above.clone();
             zeros.iter_mut().for_each(|ray| ray.direction = Vec3::new(-0.0, ray.direction.y, -0.0));
             for rays in [one_eye, above, zeros] {
@@ -72,7 +72,7 @@ fn no_ray_leaves_a_closed_box_for_any_length_of_directions() {
     let mut rays = vec![];
     for i in 0..400 {
         let origin = Vec3::new(draw(i, 0), draw(i, 1), draw(i, 2)) * 0.99;
-        // At corners, at points of edges (snapped coordinates), and along the axes.
+        // Targets on faces, edges and corners (snapped coordinates), and along the axes.
         let mut target = Vec3::new(draw(i, 3), draw(i, 4), draw(i, 5));
         let snapped = i % 4;
         (0..snapped as usize).for_each(|axis| target[axis] = target[axis].signum());

@@ -4,7 +4,7 @@ use super::*;
 
 type Rings = Vec<Vec<[f64; 2]>>;
 
-/// Layout in which a writer encodes geometries.
+/// Encoding of geometries by a writer.
 #[derive(Debug, Clone, Copy)]
 struct Style {
     is_little: bool,
@@ -49,7 +49,7 @@ impl Style {
         [self.header(3), self.number(rings.len() as u32), closed.collect()].concat()
     }
 
-    fn many(self, kind: u32, parts: &[Vec<u8>]) -> Vec<u8> {
+    fn collection(self, kind: u32, parts: &[Vec<u8>]) -> Vec<u8> {
         [self.header(kind), self.number(parts.len() as u32), parts.concat()].concat()
     }
 }
@@ -63,7 +63,7 @@ fn read_rows(rows: &[Vec<u8>]) -> Result<Outlines> {
 }
 
 /// Returns the rings of each polygon of each row.
-fn unpacked(found: &Outlines) -> Vec<Vec<Rings>> {
+fn polygon_lists(found: &Outlines) -> Vec<Vec<Rings>> {
     let range = |offsets: &[i64], n: usize| offsets[n] as usize..offsets[n + 1] as usize;
     let ring = |n: usize| found.points[range(&found.rings, n)].to_vec();
     let polygon = |n: usize| range(&found.polygons, n).map(ring).collect();
@@ -80,11 +80,11 @@ fn every_layout_is_read() {
         for (columns, is_flagged) in [(2, false), (3, false), (4, false), (3, true), (4, true)] {
             let style = Style { is_little, columns, is_flagged };
             let (one, two): (Rings, Rings) = (vec![triangle(0.0), triangle(9.0)], vec![triangle(-1e7)]);
-            let several = style.many(6, &[style.polygon(&one), style.polygon(&two)]);
-            let rows = [style.polygon(&two), vec![], several.clone(), style.many(7, &[several])];
+            let several = style.collection(6, &[style.polygon(&one), style.polygon(&two)]);
+            let rows = [style.polygon(&two), vec![], several.clone(), style.collection(7, &[several])];
             let found = read_rows(&rows).unwrap();
             let both = vec![one, two.clone()];
-            assert_eq!(unpacked(&found), [vec![two], vec![], both.clone(), both], "{style:?}");
+            assert_eq!(polygon_lists(&found), [vec![two], vec![], both.clone(), both], "{style:?}");
             assert_eq!(found.skipped, 0);
         }
     }
@@ -94,9 +94,9 @@ fn every_layout_is_read() {
 fn points_and_lines_are_counted() {
     let line = [PLAIN.header(2), PLAIN.run(&triangle(0.0))].concat();
     let point = [PLAIN.header(1), vec![0; 16]].concat();
-    let rows = [line.clone(), PLAIN.many(5, &[line.clone(), line.clone()]), PLAIN.many(7, &[point, line])];
+    let rows = [line.clone(), PLAIN.collection(5, &[line.clone(), line.clone()]), PLAIN.collection(7, &[point, line])];
     let found = read_rows(&rows).unwrap();
-    assert_eq!((found.skipped, unpacked(&found)), (5, vec![vec![], vec![], vec![]]));
+    assert_eq!((found.skipped, polygon_lists(&found)), (5, vec![vec![], vec![], vec![]]));
 }
 
 #[test]
@@ -105,7 +105,7 @@ fn rows_of_several_tasks_stay_in_order() {
     let rows: Vec<_> = (0..count).map(|n| PLAIN.polygon(&[triangle(n as f64)])).collect();
     let found = read_rows(&rows).unwrap();
     let expected: Vec<Vec<Rings>> = (0..count).map(|n| vec![vec![triangle(n as f64)]]).collect();
-    assert_eq!(unpacked(&found), expected);
+    assert_eq!(polygon_lists(&found), expected);
 }
 
 #[test]
@@ -114,7 +114,7 @@ fn flaws_name_the_first_row_that_has_one() {
     let many = u32::MAX.to_le_bytes();
     let mut nested = good.clone();
     for _ in 0..=MAX_DEPTH {
-        nested = PLAIN.many(7, &[nested]);
+        nested = PLAIN.collection(7, &[nested]);
     }
     for (row, words) in [
         (good[..good.len() - 1].to_vec(), "it claims 4 parts, more than its bytes can hold"),
@@ -144,7 +144,7 @@ proptest! {
     #[test]
     fn damaged_rows_are_polygons_or_an_error(at in 0..200usize, byte: u8) {
         let inner = Style { is_little: false, ..PLAIN };
-        let mut row = PLAIN.many(6, &[PLAIN.polygon(&[triangle(0.0), triangle(2.0)]), inner.polygon(&[triangle(5.0)])]);
+        let mut row = PLAIN.collection(6, &[PLAIN.polygon(&[triangle(0.0), triangle(2.0)]), inner.polygon(&[triangle(5.0)])]);
         let at = at % row.len();
         row[at] = byte;
         if let Ok(found) = read_rows(&[row.clone()]) {
