@@ -139,7 +139,7 @@ pub fn lookup(
         0 => Ok(()),
         count_to_end => {
             let index = directions.len() - count_to_end;
-            let got = format!("something else at index {index}");
+            let got = format!("zero, infinity or NaN at index {index}");
             Err(Error::value("directions", "finite vectors other than zero", got))
         }
     }
