@@ -140,11 +140,6 @@ def test_invalid_calls_of_scenes_are_errors(call: Callable[[nf.Scene], object], 
         call(street()[0].build(["car"]))
 
 
-def test_names_are_strings() -> None:
-    with pytest.raises(ValueError, match="object_names: expected distinct names, got 1 repetitions"):
-        nf.Scene.from_arrays(TRIANGLE, FACE, [0], object_names=["wall", "wall"])
-
-
 @given(st.data())
 def test_subsets_equal_numpy_selections(data: st.DataObject) -> None:
     scene = street()[0].build(["car"]).at({"car": shift(9)})

@@ -239,6 +239,7 @@ def test_the_helmet_is_exported_with_all_its_maps(tmp_path: Path) -> None:
     need("data")
     source = data_files.require("objects/gltf/FlightHelmet/FlightHelmet.gltf")
     scene = nf.Scene.load(source)
+    assert (scene.report.textures, scene.report.materials) == (5, 6)
     nf.lod.export(scene, tmp_path / "helmet.glb", view=FOV)
     written = materials(tmp_path / "helmet.glb")
     document = json.loads(source.read_text())

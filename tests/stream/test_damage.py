@@ -11,10 +11,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from hypothesis import HealthCheck, given, settings, strategies as st
 
 import nearfar as nf
-from nearfar.stream import _store
 from tests.support import bundle_cases, need, valid
 from tests.support.bundle_cases import content, use
 
@@ -216,91 +214,3 @@ def test_a_missing_manifest_is_named(tmp_path: Path) -> None:
     need("fsspec")
     with pytest.raises(FileNotFoundError, match=r"memory://nowhere/manifest\.json"):
         nf.stream.open("memory://nowhere")
-
-
-VALUES = st.recursive(
-    st.none()
-    | st.booleans()
-    | st.integers()
-    | st.floats()
-    | st.text(max_size=8)
-    | st.sampled_from([2**31, 2**63, 1e308]),
-    lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text(max_size=4), inner, max_size=3),
-    max_leaves=6,
-)
-
-
-class Fuzz:
-    """Mutations of bundles, for which only FormatError may be raised.
-
-    Hypothesis replaces cargo-fuzz here, because manifests and maps are read in Python, which libFuzzer does
-    not instrument; for the Rust decoders of meshoptimizer's streams there is the target `meshopt` in
-    fuzz/. The hashes of altered files are updated, so that the decoders process them.
-    """
-
-    @staticmethod
-    def manifest(folder: Path, data: st.DataObject) -> None:
-        """Put other values in some places."""
-        path = folder / "manifest.json"
-        document = json.loads(path.read_text())
-        for _ in range(data.draw(st.integers(1, 3))):
-            document = replace_value(
-                document, data.draw(st.sampled_from(list(places(document)))), data.draw(VALUES | st.just(...))
-            )
-            if not document:
-                break
-        path.write_text(json.dumps(document), encoding="utf-8", errors="surrogatepass")
-
-    @staticmethod
-    def file(folder: Path, data: st.DataObject) -> None:
-        """Alter bytes of a file, truncate it, or replace it by another one's."""
-        path = folder / "manifest.json"
-        document = json.loads(path.read_text())
-        name = data.draw(st.sampled_from(sorted(document["files"])))
-        found = bytearray((folder / name).read_bytes())
-        for _ in range(data.draw(st.integers(1, 4))):
-            place = data.draw(st.integers(0, len(found)))
-            cut = data.draw(st.integers(0, 8))
-            found[place : place + cut] = data.draw(st.binary(max_size=8))
-        if data.draw(st.integers(0, 9)) == 0:
-            found = bytearray((folder / data.draw(st.sampled_from(sorted(document["files"])))).read_bytes())
-        (folder / name).write_bytes(found)
-        document["files"][name] = _store.file_entry(bytes(found))
-        path.write_text(json.dumps(document))
-
-
-def check_fuzzed(folder: Path, mutate: Callable[[Path, st.DataObject], None], data: st.DataObject) -> None:
-    files = content(folder)
-    try:
-        mutate(folder, data)
-        message = refusal(folder)
-    finally:
-        shutil.rmtree(folder)
-        for name, original in files.items():
-            (folder / name).parent.mkdir(parents=True, exist_ok=True)
-            (folder / name).write_bytes(original)
-    assert not message or str(folder) in message
-    assert len(message) < len(str(folder)) + 600
-
-
-# Fixed examples: the attack draws others.
-QUICK = settings(
-    max_examples=30, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.function_scoped_fixture]
-)
-MANY = settings(QUICK, max_examples=1000)
-
-
-@pytest.mark.parametrize("mutate", [Fuzz.manifest, Fuzz.file])
-@QUICK
-@given(data=st.data())
-def test_mutated_bundles_raise_nothing_but_format_errors(copied: Path, mutate: Any, data: st.DataObject) -> None:
-    check_fuzzed(copied, mutate, data)
-
-
-@pytest.mark.stress
-@pytest.mark.slow
-@pytest.mark.parametrize("mutate", [Fuzz.manifest, Fuzz.file])
-@MANY
-@given(data=st.data())
-def test_many_mutated_bundles_raise_nothing_but_format_errors(copied: Path, mutate: Any, data: st.DataObject) -> None:
-    check_fuzzed(copied, mutate, data)

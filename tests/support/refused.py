@@ -1,13 +1,29 @@
-"""Loads files that claim too much in a separate process, and returns the errors and memory."""
+"""Loads damaged files, and in a separate process files that claim too much."""
 
 from __future__ import annotations
 
 import os
+import random
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
+import nearfar as nf
+from tests.attack import mutate
 from tests.support import PEAK
+from tests.support.gltf_cases import load
+
+
+def load_damaged(folder: Path, data: bytes, count: int, wrap: Callable[[bytes], bytes]) -> list[nf.Scene]:
+    """Damage data many times, load GLBs that contain it, and return the scenes; errors must name the file."""
+    scenes = []
+    for seed in range(count):
+        try:
+            scenes.append(load(folder, wrap(mutate.damaged(data, random.Random(seed)))))
+        except nf.SceneError as error:
+            assert str(error).startswith(f"{folder / 'a.glb'}: ")  # noqa: PT017
+    return scenes
 
 
 def refused_twice(path: Path) -> tuple[str, str, int]:
