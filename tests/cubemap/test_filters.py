@@ -211,15 +211,6 @@ def test_cones_by_channel_in_both_types() -> None:
             np.testing.assert_array_equal(together[:, channel], alone)
 
 
-def test_cones_refuse() -> None:
-    with pytest.raises(ValueError, match="radius: expected None with filter 'linear'"):
-        nf.cube_lookup(np.zeros((6, 2, 2)), (1, 0, 0), filter="linear", radius=0.1)
-    with pytest.raises(ValueError, match="radius: expected radians"):
-        nf.cube_lookup(np.zeros((6, 2, 2)), (1, 0, 0), filter="max", radius=np.pi / 2)
-    with pytest.raises(ValueError, match="index 1"):
-        nf.cube_lookup(np.zeros((6, 2, 2)), [(1, 0, 0), (0, 0, 0)], filter="min", radius=0.1)
-
-
 def solid_angle(low: tuple[float, float], high: tuple[float, float]) -> float:
     """Return the solid angle of a rectangle on a face by Gauss–Legendre; 40 points leave an error of 1e-30."""
     x, w = np.polynomial.legendre.leggauss(40)

@@ -215,12 +215,6 @@ def test_scenes_without_moving_or_near_objects_are_bundles(tmp_path: Path) -> No
     assert [row["triangles"] for row in bundle.summary()] == [0, 0, 0, 1]
 
 
-def test_invalid_face_sizes_are_refused_before_work_begins(city: nf.Scene, tmp_path: Path) -> None:
-    with pytest.raises(ValueError, match="face_size: expected a multiple of 64"):
-        nf.stream.export(city, tmp_path / "b", **{**SETTINGS, "face_size": 100})
-    assert list(tmp_path.iterdir()) == []
-
-
 def test_plain_geometry_is_loaded_by_other_readers(city: nf.Scene, folder: Path, tmp_path: Path) -> None:
     plain = nf.stream.export(city, tmp_path / "plain", **SETTINGS, compression=None)
     packed = nf.stream.open(folder)

@@ -227,22 +227,6 @@ def test_centres_inside_solids_are_noted(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("changes", "text"),
     [
-        ({"center": [(0, 0, 0), (1, 0, 0), (0, 0, 0)]}, r"got \(0, 0, 0\) twice, at index 0 and 2"),
-        ({"center": [(0, 0, 0), (0, 0.0004, 0)]}, r"at least 0\.001 m apart"),
-        ({"center": [(0, 0, 0), (0, np.nan, 0)]}, r"center: expected finite numbers"),
-        ({"center": np.arange(3003.0).reshape(-1, 3)}, "center: expected 1 to 1000 centres, got 1001"),
-        ({"center": [(1e31, 0, 0)]}, r"center: expected numbers up to 1e\+30"),
-    ],
-)
-def test_wrong_centres_are_refused(city: nf.Scene, tmp_path: Path, changes: dict[str, Any], text: str) -> None:
-    with pytest.raises(ValueError, match=text):
-        nf.stream.export(city, tmp_path / "b", **{**SETTINGS, **changes})
-    assert list(tmp_path.iterdir()) == []
-
-
-@pytest.mark.parametrize(
-    ("changes", "text"),
-    [
         ({"center": [0, 1]}, "center"),
         ({"fold_margin": -1}, "fold_margin"),
         ({"neighbours": [0]}, "neighbours"),
