@@ -18,6 +18,7 @@ import nearfar as nf
 from nearfar._camera.shot import Shot
 from nearfar.orthoview._files import Local
 from tests.support import need
+from tests.support.flight_cases import holes
 from tests.support.orthoview_stores import SIZE, box_about, world_of
 from tests.support.range_server import serve_folder
 
@@ -62,12 +63,6 @@ def differ(one: nf.Frame, other: nf.Frame) -> bool:
 
 def truth_of(scene: nf.Scene, tree: Tree, camera: nf.Camera) -> nf.Frame:
     return nf.render(scene, camera, clip=nf.Clip(box=tree.bounds), channels=CHANNELS)
-
-
-def holes(frame: nf.Frame, truth: nf.Frame) -> float:
-    """Share of the pixels that show a surface in truth and none in a frame."""
-    is_hit = np.isfinite(truth.require("range"))
-    return float((is_hit & np.isinf(frame.require("range"))).sum() / is_hit.sum())
 
 
 def psnr(frame: nf.Frame, truth: nf.Frame) -> float:

@@ -14,12 +14,7 @@ import nearfar as nf
 from nearfar._base import data as data_files
 from nearfar._scene.options import Up
 from tests.support import need
-
-
-def shift(x: float = 0.0, y: float = 0.0, z: float = 0.0) -> NDArray[np.float64]:
-    matrix = np.eye(4)
-    matrix[:3, 3] = x, y, z
-    return matrix
+from tests.support.reduce_cases import place as shift
 
 
 def sorted_triangles(triangles: NDArray[np.floating]) -> NDArray[np.float64]:

@@ -12,15 +12,10 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar._scene.builder import SceneBuilder
+from tests.support.reduce_cases import place as shift
 
 TRIANGLE = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]], np.float32)
 FACE = np.array([[0, 1, 2]], np.uint32)
-
-
-def shift(x: float = 0.0, y: float = 0.0, z: float = 0.0) -> NDArray[np.float64]:
-    matrix = np.eye(4)
-    matrix[:3, 3] = x, y, z
-    return matrix
 
 
 def turn(angle: float) -> NDArray[np.float64]:
