@@ -113,7 +113,8 @@ def run(case: Case, folder: Path) -> str:
         scene = nf.Scene.load(path, **case.plan["options"])
     except nf.SceneError as error:
         check_sentence(error, path)
-        if FOREIGN.search(str(error)):
+        # A decompressor's own words may follow in parentheses.
+        if FOREIGN.search(str(error).partition(" (Error ")[0]):
             raise Finding(f"the message is about the code that reads: {error!s:.200}") from error
         return refused(error)
     use(scene, folder, everything=case.plan["all"] and scene.triangle_count <= MAX_TRIANGLES)

@@ -108,20 +108,6 @@ def test_the_base_colour_uses_its_set_and_transform(
     assert not any("ignored" in note or "coordinates" in note for note in scene.report.notes)
 
 
-def test_a_transform_equals_transformed_coordinates(tmp_path: Path) -> None:
-    transform = {"offset": [0.1, 0.2], "rotation": 0.4, "scale": [3, 2]}
-    scene = load(tmp_path, content([base(number=1, **transform)]))
-    baked = np.array([transform_uv(uv, transform) for uv in SETS[1]], np.float32)
-    document, binary = decode(content([base()]))
-    start = document["bufferViews"][-1]["byteOffset"]
-    binary = binary[:start] + baked.tobytes() + binary[start + baked.nbytes :]
-    view = nf.Camera.look_at((0.5, 0.5, 1.2), (0.5, 0.5, 0), fov=FOV, size=(48, 40))
-    plain = load(tmp_path, encode(document, binary))
-    one, other = (picture_of(part, view) for part in (scene, plain))
-    np.testing.assert_allclose(one, other, atol=1e-4)
-    assert one.std() > 0.05
-
-
 def test_squares_that_share_a_material_use_their_own_sets(tmp_path: Path) -> None:
     """The second square has different coordinates at the same position, and the third one none there."""
     document, binary = decode(content([base(number=1)] * 3, [[0, 1], [0, 2], [0]]))
