@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import copy
 import json
 import re
 import shutil
@@ -15,6 +14,7 @@ import pytest
 import nearfar as nf
 from tests.support import bundle_cases, need, valid
 from tests.support.bundle_cases import content, use
+from tests.support.refused import replace_value
 
 DAMAGES: dict[str, Callable[[bytes], bytes | None]] = {
     "missing": lambda data: None,
@@ -110,19 +110,6 @@ def places(node: Any, path: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ...]]:
                 yield from places(node[key], (*path, key))
 
 
-def replace_value(document: Any, path: tuple[Any, ...], value: Any) -> Any:
-    """A copy with the value at a path replaced; `...` removes it."""
-    document = copy.deepcopy(document)
-    node = document
-    for key in path[:-1]:
-        node = node[key]
-    if value is ...:
-        del node[path[-1]]
-    else:
-        node[path[-1]] = value
-    return document
-
-
 HEADER = ("generator", "units", "axes", "origin")
 """Fields of all our files that describe how to read them; readers of a single version do not need them."""
 
@@ -146,7 +133,7 @@ def check_values(folder: Path, values: tuple[Any, ...]) -> int:
     refused, let = 0, []
     for place in places(whole):
         for value in values:
-            document = replace_value(whole, place, value)
+            document = replace_value(whole, value, *place)
             path.write_text(json.dumps(document))
             message = refusal(folder)
             if message:
@@ -195,7 +182,7 @@ def test_no_manifest_that_breaks_the_schema_is_opened(copied: Path) -> None:
 )
 def test_defects_of_a_manifest_are_explained(copied: Path, place: tuple[Any, ...], value: Any, text: str) -> None:
     path = copied / "manifest.json"
-    path.write_text(json.dumps(replace_value(json.loads(path.read_text()), place, value)))
+    path.write_text(json.dumps(replace_value(json.loads(path.read_text()), value, *place)))
     with pytest.raises(nf.FormatError, match=rf"{re.escape(str(path))}: .*{text}"):
         nf.stream.open(copied)
 
