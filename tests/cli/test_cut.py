@@ -40,7 +40,7 @@ def test_parts_that_cannot_be_read_are_reported(
     capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     tiles, missing = tmp_path / "tiles", tmp_path / "tiles" / "tile_0_0.glb"
-    settings = ("cut", "-i", CITY, "-o", tiles, "--cell", "150")
+    settings = ("cut", "-i", CITY, "-o", tiles, "--cell", "1000")
     query = nf.Scene.query
 
     def fail(self: nf.Scene, aabb: ArrayLike, detail: float = 0.0) -> nf.Scene:
