@@ -14,7 +14,7 @@ import nearfar as nf
 from nearfar.lod._measure import score_table, scores as level_scores
 from tests.support.cli_cases import command, document
 
-QUICK = ("--views", "4", "--distances", "5", "--ratios", "0.3,0.05", "--method", "meshopt", "--backend", "cpu")
+QUICK = ("--views", "4", "--distances", "2", "--ratios", "0.3,0.05", "--method", "meshopt", "--backend", "cpu")
 
 
 @pytest.fixture

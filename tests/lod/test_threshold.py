@@ -77,6 +77,7 @@ def test_keywords_and_thresholds_are_equivalent(tmp_path: Path) -> None:
 
 
 def test_a_threshold_excludes_its_keywords() -> None:
-    for name in ("k", "d"):
-        with pytest.raises(ValueError, match=f"{name}: expected None beside a LodThreshold, .* got 0.2"):
-            nf.lod.Selector(**{name: 0.2}, threshold=LITERAL)
+    for wrong in ({"k": 0.2}, {"d": 0.2}):
+        options: dict[str, Any] = {**wrong, "threshold": LITERAL}
+        with pytest.raises(ValueError, match=f"{next(iter(wrong))}: expected None beside a LodThreshold, .* got 0.2"):
+            nf.lod.Selector(**options)
