@@ -211,6 +211,11 @@ def test_cones_by_channel_in_both_types() -> None:
             np.testing.assert_array_equal(together[:, channel], alone)
 
 
+def test_a_cone_is_narrower_than_a_half_space() -> None:
+    with pytest.raises(ValueError, match="radius: expected radians"):
+        nf.cube_lookup(np.zeros((6, 2, 2)), (1, 0, 0), filter="max", radius=np.pi / 2)
+
+
 def solid_angle(low: tuple[float, float], high: tuple[float, float]) -> float:
     """Return the solid angle of a rectangle on a face by Gauss–Legendre; 40 points leave an error of 1e-30."""
     x, w = np.polynomial.legendre.leggauss(40)

@@ -82,7 +82,6 @@ WRONG: dict[str, list[Any]] = {
     "SceneBuilder.material.*texture": [np.full((2, 2, 4), 0.5), np.zeros((2, 2, 3), np.uint8)],
     "choose_radii.budget RadiusSettings.budget": [1000],
     "choose_radii.r2": [None],
-    "cube_lookup.radius": [math.pi / 2],
     "gpu.cube_lookup.faces": [np.zeros((5, 4, 4, 3), np.float32)],
     "corrected_solid_angle.camera lod.select.camera": [nf.Camera((0, 0, 0), fov=nf.CubeFace(0), size=(8, 8))],
     "*solid_angle.radii lod.select.radii": [[-1.0]],
