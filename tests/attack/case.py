@@ -13,6 +13,12 @@ from typing import Any
 Plan = dict[str, Any]
 """Random choices of a case as JSON values."""
 
+FOREIGN_WORDS = (
+    "bug report", "panicked", "charset_normalizer", "chardet", "UnboundLocalError", "AttributeError", "cannot access",
+    "cannot reshape",
+)  # fmt: skip
+"""Words of other programs' messages."""
+
 MAX_LETTERS = 1000
 """Maximum length of a message, beyond the name of its file."""
 
@@ -31,6 +37,12 @@ class Case:
     def size(self) -> int:
         """Bytes of the files."""
         return sum(map(len, self.files.values()))
+
+    def write(self, folder: Path) -> None:
+        """Write the files into a folder."""
+        for name, data in self.files.items():
+            (folder / name).parent.mkdir(parents=True, exist_ok=True)
+            (folder / name).write_bytes(data)
 
 
 @dataclass(frozen=True)
@@ -69,7 +81,7 @@ def check_sentence(error: Exception, name: str | Path) -> None:
         raise Finding(f"the message of {kind} is no short line: {text[:200]!r}") from error
     if str(name) not in text:
         raise Finding(f"the message of {kind} does not name the file: {text[:200]!r}") from error
-    if any(word in text for word in ("bug report", "panicked", "charset_normalizer", "UnboundLocalError")):
+    if any(word in text for word in FOREIGN_WORDS):
         raise Finding(f"an error from inside reached the user: {text[:200]!r}") from error
 
 

@@ -17,8 +17,7 @@ from nearfar import _core
 from nearfar._base import exr
 from tests.attack import mutate, mutate_json, seeds
 from tests.attack.case import ACCEPTED, Case, Finding, Kind, Plan, check_sentence, refused
-from tests.attack.glb_parts import split
-from tests.attack.kind_scenes import damaged_glb
+from tests.attack.kind_scenes import damaged_glb, split
 
 CAMERA = nf.Camera((0, 1, 0), fov=nf.Fov.symmetric(90), size=(8, 8))
 

@@ -19,6 +19,7 @@ from PIL import Image
 import nearfar as nf
 from nearfar._base import data as data_files
 from tests.support import bundle_cases, city_cases, draco_cases, ktx2_cases, meshopt_cases
+from tests.support.gltf_cases import encode
 from tests.support.lod_cases import SMALL, levels
 from tests.support.reduce_cases import CENTER, street
 
@@ -108,7 +109,7 @@ def _sparse() -> bytes:
         "bufferViews": views,
         "buffers": [{"byteLength": len(binary)}],
     }
-    return glb(json.dumps(document).encode(), binary)
+    return encode(document, binary)
 
 
 def _compressed() -> bytes:
@@ -148,14 +149,7 @@ def _packed() -> bytes:
     document["images"] = [{"bufferView": 1, "mimeType": "image/ktx2"}]
     document["textures"] = [{"extensions": {ktx2_cases.EXTENSION: {"source": 0}}}]
     document["materials"] = [material]
-    return glb(json.dumps(document).encode(), binary + picture)
-
-
-def glb(document: bytes, binary: bytes) -> bytes:
-    document += b" " * (-len(document) % 4)
-    chunks = len(document).to_bytes(4, "little") + b"JSON" + document
-    chunks += len(binary).to_bytes(4, "little") + b"BIN\0" + binary
-    return b"glTF" + (2).to_bytes(4, "little") + (12 + len(chunks)).to_bytes(4, "little") + chunks
+    return encode(document, binary + picture)
 
 
 _MTL = b"newmtl one\nKd 0.8 0.1 0.1\nd 0.5\nmap_Kd a.png\nmap_d -s 1 1 1 a.jpg\nnewmtl two\nKd 1 1 1\nTr 0.5\n"

@@ -7,7 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.attack.case import from_json, make
+from tests.attack import kind_saved, kind_scenes
+from tests.attack.case import Kind, from_json, make
 from tests.attack.engine import Engine
 from tests.attack.report import Report
 from tests.attack.worker import all_kinds
@@ -38,6 +39,20 @@ def test_the_attack_finds_nothing(group: str, tmp_path: Path) -> None:
     print(f"seed {SEED}\n{report.table()}")
     assert report.count() == len(cases)
     assert report.causes == {}, f"seed {SEED}\n{report.table()}"
+
+
+FILES = (*kind_scenes.kinds(own_only=True), *kind_saved.kinds())
+
+
+@pytest.mark.parametrize("kind", FILES, ids=[kind.name for kind in FILES])
+def test_damaged_files_load_or_are_refused(kind: Kind, tmp_path: Path) -> None:
+    """Other cases, in this process, whose time and memory have no limit."""
+    outcomes = set()
+    for number in range(1000, 1020):
+        case, folder = make(kind, SEED, number), tmp_path / str(number)
+        case.write(folder)
+        outcomes.add(kind.run(case, folder))
+    assert len(outcomes) > 1
 
 
 @pytest.mark.slow

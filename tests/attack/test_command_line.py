@@ -62,7 +62,8 @@ VALUES = ("", "abc", "-1", "nan", "1e400", "9" * 5000, "\udcff", "a\0b", "1,2", 
 
 FURTHER = {
     "--cell": "0", "--connections": "0", "--grid": "0", "--mono-plane": "0", "--most-rooms": "0", "--port": "70000",
-    "--pixels-per-degree": "600", "--quality": "101", "--radii": "10,9", "--split": "0", "--triangles": "0",
+    "--pixels-per-degree": "600", "--quality": "101",
+    "--fov": "180", "--radii": "10,9", "--size": "0x0", "--split": "0", "--triangles": "0",
 }  # fmt: skip
 """Out-of-range values of single options."""
 

@@ -56,9 +56,7 @@ class Worker:
         """Run a case in its own folder."""
         folder = Path(tempfile.mkdtemp())
         try:
-            for name, data in case.files.items():
-                (folder / name).parent.mkdir(exist_ok=True)
-                (folder / name).write_bytes(data)
+            case.write(folder)
             self.tell(begins=case.origin)
             self._warnings.clear()
             Path("/proc/self/clear_refs").write_text("5", encoding="ascii")  # Resets the peak.

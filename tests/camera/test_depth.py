@@ -306,32 +306,6 @@ def test_values_beyond_0_and_1_are_refused(value: float, dtype: type) -> None:
         nf.range_from_depth(depth, FOV, near=0.1)
 
 
-@pytest.mark.parametrize(
-    ("words", "arguments"),
-    [
-        ("near: expected the near plane", {}),
-        ("near: expected a finite number above 0 .*, got 1e-310$", {"near": 1e-310}),
-        ("depth: expected values from 0 to 1, got -1e-300 in row", {"near": 1.0, "depth": [[-1e-300]]}),
-        (r"depth_range: expected '0\.\.1' or '-1\.\.1' .*, got None", {"projection": np.eye(4)}),
-        ("depth_range: expected None beside CubeFace", {"projection": nf.CubeFace(0), "depth_range": "-1..1"}),
-        ("far: expected finite near and far", {"near": 1.0, "projection": nf.Orthographic(-1, 1, -1, 1)}),
-        (
-            "projection: expected rays|projection: expected a matrix",
-            {"projection": np.ones((4, 4)), "depth_range": "0..1"},
-        ),
-        ("expected square images", {"near": 1.0, "projection": nf.CubeFace(0)}),
-        (
-            "depth: expected whole numbers from 0 to 16777215, got 16777216 in row 0",
-            {"near": 1.0, "depth": np.full((1, 2), 2**24, np.uint32)},
-        ),
-    ],
-)
-def test_wrong_arguments_are_named(words: str, arguments: dict[str, Any]) -> None:
-    given: dict[str, Any] = {"depth": np.full((4, 5), 0.5), "projection": FOV} | arguments
-    with pytest.raises(ValueError, match=words):
-        nf.range_from_depth(given.pop("depth"), given.pop("projection"), **given)
-
-
 @pytest.mark.parametrize("kind", [np.float16, np.longdouble, np.uint8, np.int8, np.int32, np.int64, np.uint64, bool])
 def test_integer_types_without_a_defined_maximum_are_refused(kind: type) -> None:
     words = "depth: expected float32, float64, uint16 or uint32, got "

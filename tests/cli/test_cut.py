@@ -40,7 +40,7 @@ def test_parts_that_cannot_be_read_are_reported(
     capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     tiles, missing = tmp_path / "tiles", tmp_path / "tiles" / "tile_0_0.glb"
-    settings = ("cut", "-i", CITY, "-o", tiles, "--cell", "150")
+    settings = ("cut", "-i", CITY, "-o", tiles, "--cell", "1000")
     query = nf.Scene.query
 
     def fail(self: nf.Scene, aabb: ArrayLike, detail: float = 0.0) -> nf.Scene:
@@ -65,7 +65,6 @@ def test_parts_that_cannot_be_read_are_reported(
     ("arguments", "words"),
     [
         (("-o", "part.glb", "--box", "2,0,1,1"), "--box: expected least x and z before"),
-        (("-o", "part.glb", "--box", "nan,0,1,1"), "--box: expected least x and z before"),
         (("-o", "part.glb", "--box", "9e5,0,9e6,1"), "--box: expected one with triangles"),
         (("-o", "part.obj", "--box", "0,0,1,1"), "expected a name ending in .glb"),
     ],

@@ -22,7 +22,7 @@ def share_of_changes(path: Path) -> float:
     return float((np.abs(codes - codes[:, :1]).max(axis=-1) > 16).mean())
 
 
-@pytest.mark.parametrize("size", [0.15, 2.0, 10.0, 150.0])
+@pytest.mark.parametrize("size", [0.15, 10.0, 150.0])
 def test_an_object_of_any_size_is_visible(size: float, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     path = tmp_path / "ball.stl"
     ball = trimesh.creation.icosphere(3, radius=size / 2)

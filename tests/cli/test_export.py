@@ -92,10 +92,8 @@ def test_several_centres_are_moved_to_a_grid(city: Path, tmp_path: Path, capsys:
 @pytest.mark.parametrize(
     ("arguments", "text"),
     [
-        (("--radii", "10,5"), "--radii: expected ascending radii, got 5 after 10"),
         (("--face-size", "65"), "--face-size: expected a multiple of 64"),
         (("--lossless", "--quality", "50"), "--quality: expected none with --lossless, got 50"),
-        (("--radii", "10,10"), "radii: expected ascending radii, got 10 after 10"),
         (("-o", "none/out"), "path: expected a path whose parent is a folder"),
         (("-o", "full"), "holds other files (no manifest.json)"),
         (("-o", "web"), "path: holds a manifest.json of another program"),

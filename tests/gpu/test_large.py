@@ -2,19 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 import numpy as np
 import pytest
 
 import nearfar as nf
-from tests.support.gpu_cases import ADAPTERS, adapter, check_color, check_ids
+from tests.support.gpu_cases import check_color, check_ids
 
-
-@pytest.fixture(params=ADAPTERS, autouse=True)
-def backend(request: pytest.FixtureRequest) -> Iterator[str]:
-    with adapter(request.param):
-        yield request.param
+pytestmark = pytest.mark.usefixtures("backend")
 
 
 def grid(cells: int) -> nf.Scene:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -13,20 +13,16 @@ from numpy.typing import NDArray
 import nearfar as nf
 from nearfar._reduce.drawing import MorphKind
 from tests.support import data
-from tests.support.gpu_cases import ADAPTERS, adapter, check_color, check_ids, check_range, edges
+from tests.support.gpu_cases import check_color, check_ids, check_range, edges
 from tests.support.normal_cases import scene_around
 from tests.support.reduce_cases import street
+
+pytestmark = pytest.mark.usefixtures("backend")
 
 CENTER = (0.0, 1.7, 0.0)
 CHANNELS = ("color", "range", "object_id")
 ALL = (*CHANNELS, "face_id")
 USERS = {"centre": CENTER, "near": (2.0, 1.9, -1.0), "far": (9.0, 2.5, 6.0)}
-
-
-@pytest.fixture(params=ADAPTERS, autouse=True)
-def _adapter(request: pytest.FixtureRequest) -> Iterator[None]:
-    with adapter(request.param):
-        yield
 
 
 @pytest.fixture(scope="module")

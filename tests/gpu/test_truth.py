@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Iterator
 
 import numpy as np
 import pytest
@@ -13,16 +12,12 @@ import nearfar as nf
 from nearfar._camera.camera import Projection
 from nearfar._scene.builder import SceneBuilder
 from tests.support import data, render_oracle as oracle
-from tests.support.gpu_cases import ADAPTERS, adapter, agree, both, crowd, view
+from tests.support.gpu_cases import agree, both, crowd, view
 from tests.support.normal_cases import PLACES, ball
 from tests.support.render_cases import PROJECTIONS, QUAD, build, quad, room
 from tests.support.render_oracle import Surface
 
-
-@pytest.fixture(params=ADAPTERS, autouse=True)
-def _adapter(request: pytest.FixtureRequest) -> Iterator[None]:
-    with adapter(request.param):
-        yield
+pytestmark = pytest.mark.usefixtures("backend")
 
 
 @pytest.fixture(scope="module")

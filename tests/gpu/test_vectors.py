@@ -2,21 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 import pytest
 
 from nearfar import gpu
-from tests.support.gpu_cases import ADAPTERS, adapter
 from tests.support.vectors import cases, check
 
-
-@pytest.fixture(params=ADAPTERS, autouse=True)
-def device(request: pytest.FixtureRequest) -> Iterator[None]:
-    with adapter(request.param):
-        yield
+pytestmark = pytest.mark.usefixtures("backend")
 
 
 def check_morph(case: dict[str, Any], kind: str) -> None:

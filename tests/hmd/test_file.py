@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import copy
 import json
 from pathlib import Path
 from typing import Any
@@ -14,6 +13,7 @@ from hypothesis import given, strategies as st
 import nearfar as nf
 from tests.support import valid
 from tests.support.hmd_cases import eyes
+from tests.support.refused import replace_value
 
 
 def optional(strategy: Any) -> Any:
@@ -73,24 +73,6 @@ def test_a_failed_save_keeps_the_old_file(tmp_path: Path) -> None:
         nf.Hmd.load(tmp_path / "none.json")
 
 
-def remove_key(document: dict[str, Any], *keys: str) -> dict[str, Any]:
-    result = copy.deepcopy(document)
-    node = result
-    for key in keys[:-1]:
-        node = node[key]
-    del node[keys[-1]]
-    return result
-
-
-def replace_value(document: dict[str, Any], value: Any, *keys: str) -> dict[str, Any]:
-    result = copy.deepcopy(document)
-    node = result
-    for key in keys[:-1]:
-        node = node[key]
-    node[keys[-1]] = value
-    return result
-
-
 def check_refused(tmp_path: Path, document: Any, words: str) -> None:
     path = tmp_path / "bad.json"
     path.write_text(json.dumps(document), encoding="utf-8")
@@ -123,7 +105,9 @@ def test_damaged_headset_files_name_the_key(tmp_path: Path) -> None:
     good = json.loads(path.read_text(encoding="utf-8"))
     for keys in (("name",), ("eyes",), ("eyes", "left"), ("eyes", "right", "fov"), ("eyes", "left", "fov", "up")):
         check_refused(
-            tmp_path, remove_key(good, *keys), rf"{'.'.join(keys)}: expected a value, found none".replace(".", r"\.")
+            tmp_path,
+            replace_value(good, ..., *keys),
+            rf"{'.'.join(keys)}: expected a value, found none".replace(".", r"\."),
         )
     check_refused(
         tmp_path,

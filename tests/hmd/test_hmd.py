@@ -257,17 +257,3 @@ def test_the_camera_of_an_eye_renders_pictures() -> None:
 
 
 EYE = nf.hmd.Eye(nf.Fov(-1, 1, -1, 1), (0, 0, 0))
-
-
-@pytest.mark.parametrize(
-    ("error", "words", "changes"),
-    [
-        (ValueError, "name: expected a name", {"name": ""}),
-        (ValueError, "lens: expected a lens without tangential", {"lens": nf.RadialLens((0.1,), (0.1, 0.0))}),
-        (ValueError, "triangle_budget: expected the least", {"triangle_budget": (5, 3)}),
-    ],
-)
-def test_wrong_fields_are_named(error: type[Exception], words: str, changes: dict[str, Any]) -> None:
-    fields: dict[str, Any] = {"name": "one", "left": EYE, "right": EYE, "render_size": (4, 4)} | changes
-    with pytest.raises(error, match=words):
-        nf.Hmd(**fields)

@@ -283,21 +283,6 @@ def test_lenses_are_values() -> None:
     assert "0.24" in repr(lens)
 
 
-@pytest.mark.parametrize(
-    ("arguments", "error", "message"),
-    [
-        (([0.1] * 65,), ValueError, "k: expected at most 64"),
-        (([0.1, -1e300],), ValueError, "k: expected coefficients of at most 1e290, got -1e300"),
-        (([1e100],), ValueError, "k: expected terms that reach r at radii from 1e-30 to 1e30"),
-        (([0.1], [0.1]), ValueError, "tangential: expected two numbers, got 1"),
-        (([0.1], [math.inf, 0.0]), ValueError, "tangential: expected finite numbers"),
-    ],
-)
-def test_invalid_lenses_are_refused(arguments: tuple[Any, ...], error: type[Exception], message: str) -> None:
-    with pytest.raises(error, match=message):
-        nf.RadialLens(*arguments)
-
-
 tangentials = st.tuples(st.floats(-0.05, 0.05), st.floats(-0.05, 0.05))
 
 

@@ -151,19 +151,6 @@ def test_each_colour_channel_may_have_its_lens() -> None:
     assert np.array_equal(both.warp_mesh((500, 500), fov="symmetric", cells=(8, 8)).texcoords[1], single.texcoords[0])
 
 
-@pytest.mark.parametrize(
-    ("arguments", "error", "message"),
-    [
-        ({"image": np.zeros((3, 3), np.int32)}, TypeError, "image: expected one of uint8, uint16, float32, float64"),
-        ({"image": np.zeros((4, 4), np.uint8), "fill": np.nan}, ValueError, "fill: expected a finite number"),
-        ({"image": np.zeros((4, 4), np.uint8), "fill": 256}, ValueError, "fill: expected a number from 0 to 255"),
-    ],
-)
-def test_bad_arguments(arguments: dict[str, Any], error: type[Exception], message: str) -> None:
-    with pytest.raises(error, match=message):
-        RIFT_S.warp(**{"image": np.zeros((4, 4)), "fov": "symmetric", **arguments})
-
-
 def through(mesh: nf.WarpMesh, lens: int, random: np.random.Generator, count: int) -> tuple[Array, Array]:
     """Return random positions within faces, in clip coordinates, and the texture coordinates shown there."""
     faces = mesh.faces[random.integers(0, len(mesh.faces), count)]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 import nearfar as nf
@@ -20,3 +22,9 @@ def models() -> list[nf.lod.LodModel]:
 def method(request: pytest.FixtureRequest) -> str:
     need("fast_simplification")
     return str(request.param)
+
+
+@pytest.fixture
+def fresh_cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Give a test an empty cache."""
+    monkeypatch.setenv("NEARFAR_CACHE", str(tmp_path / "cache"))

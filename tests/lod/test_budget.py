@@ -253,14 +253,6 @@ def test_budgets_below_the_coarsest_levels_name_the_minimum() -> None:
         select_drawn(models, index, centers, radii, camera=VIEW, budget=3 * least - 1, draws=thrice)
 
 
-def test_one_object_takes_the_finest_level_that_fits() -> None:
-    one = usual(4)
-    for budget in (*one.triangles.tolist(), int(one.triangles[1]) - 1):
-        found = nf.lod.select([one], [0], [VIEW.position + 5 * -rotation(VIEW)[:, 2]], 0.5, camera=VIEW, budget=budget)
-        fits = np.flatnonzero(one.triangles <= budget)
-        assert found.level[0] == fits[0]
-
-
 def test_equal_slopes_are_taken_in_the_order_of_objects() -> None:
     one = replace(model([(1.0, 1.0, 0.01, 0.5)]), triangles=np.array([110, 10]))
     place = np.tile(VIEW.position + 5 * -rotation(VIEW)[:, 2], (10, 1))

@@ -76,7 +76,7 @@ def squared(curve: nf.lod.Curve4PL, x: Array, y: Array) -> float:
     return float(((curve(x) - y) ** 2).sum())
 
 
-@pytest.mark.parametrize(("samples", "noise"), [(8, 0.01), (20, 0.05), (40, 0.1), (20, 0.2), (8, 0.1), (40, 0.01)])
+@pytest.mark.parametrize(("samples", "noise"), [(8, 0.1), (20, 0.05), (40, 0.01)])
 def test_residuals_are_at_most_scipys(samples: int, noise: float) -> None:
     compared = 0
     for x, y in noisy(7, 20, samples, noise):
@@ -88,7 +88,7 @@ def test_residuals_are_at_most_scipys(samples: int, noise: float) -> None:
     assert compared >= (4 if samples == 8 else 15)
 
 
-@pytest.mark.parametrize("samples", [5, 6, 9, 14, 20])
+@pytest.mark.parametrize("samples", [5, 9, 20])
 def test_clean_data_is_fitted_exactly(samples: int) -> None:
     random = np.random.default_rng(samples)
     recovered = 0

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -15,10 +14,7 @@ from nearfar.lod._measure.one_object import coarsest_of_steps
 from nearfar.lod._measure.score_table import ScoreTable
 from tests.support.lod_cases import FOV, SMALL, ball, count_renders, levels, scene
 
-
-@pytest.fixture(autouse=True)
-def _fresh_cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("NEARFAR_CACHE", str(tmp_path / "cache"))
+pytestmark = pytest.mark.usefixtures("fresh_cache")
 
 
 def test_each_step_keeps_its_coarsest_level() -> None:

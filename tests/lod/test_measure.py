@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -24,10 +23,7 @@ from tests.support.lod_cases import (
     straightforward,
 )
 
-
-@pytest.fixture(autouse=True)
-def _fresh_cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("NEARFAR_CACHE", str(tmp_path / "cache"))
+pytestmark = pytest.mark.usefixtures("fresh_cache")
 
 
 # against whole pictures ----------------------------------------------------------------------------------------------
@@ -145,21 +141,12 @@ def test_results_do_not_depend_on_the_number_of_threads() -> None:
 
 def test_a_gpu_measures_the_same_curves() -> None:
     need("vulkan")
-    options: dict[str, Any] = {
-        "fov": FOV,
-        "size": (256, 256),
-        "views": 24,
-        "spacing": "published",
-        "distances": 4,
-        "standard_error": 0.0,
-        "step": None,
-        "cache": False,
-    }
+    options = SMALL | {"size": (256, 256), "views": 24, "standard_error": 0.0, "step": None, "cache": False}
     # With one sample, pictures differ in pixels whose centre lies within 1/256 of an edge; with four also in how
     # edges are blended, equally in both pictures.
     for samples, bound in ((1, 5e-3), (4, 2e-2)):
-        here = nf.lod.measure(levels(24, 12, 6), **options, samples=samples, backend="cpu")
-        there = nf.lod.measure(levels(24, 12, 6), **options, samples=samples, backend="gpu")
+        here = nf.lod.measure(levels(24, 12, 6), **options | {"samples": samples})
+        there = nf.lod.measure(levels(24, 12, 6), **options | {"samples": samples, "backend": "gpu"})
         assert there.measured["device"] != here.measured["device"]
         assert here.samples is not None
         assert there.samples is not None

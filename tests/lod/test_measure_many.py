@@ -17,10 +17,7 @@ import nearfar as nf
 from tests.support import need
 from tests.support.lod_cases import SMALL, assert_same, checkered, levels
 
-
-@pytest.fixture(autouse=True)
-def _fresh_cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("NEARFAR_CACHE", str(tmp_path / "cache"))
+pytestmark = pytest.mark.usefixtures("fresh_cache")
 
 
 @pytest.fixture(scope="module")

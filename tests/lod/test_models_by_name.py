@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from typing import Any
 
 import numpy as np
@@ -46,26 +45,6 @@ def test_measured_objects_can_be_placed_directly(tmp_path: Any, monkeypatch: pyt
 def test_placing_no_objects_is_allowed(by_name: dict[str, nf.lod.LodModel], index: Any) -> None:
     assert nf.lod.place(by_name, index, np.zeros((0, 4, 4))).triangle_count == 0
     assert nf.lod.place({}, index, np.zeros((0, 4, 4))).triangle_count == 0
-
-
-@pytest.mark.parametrize(
-    ("change", "index", "error", "message"),
-    [
-        ({}, ["egg", "yolk"], ValueError, "model_index: expected names of models, ['ball', 'egg'], got 'yolk'"),
-        ({}, ["", "egg"], ValueError, "model_index: expected names of models, ['ball', 'egg'], got ''"),
-        ({}, [0, 2], ValueError, "model_index: expected 0 to 1, got 0 to 2"),
-        ({}, [0.5, 1], TypeError, "model_index: expected"),
-        ({}, [b"egg", b"ball"], TypeError, "model_index: expected"),
-        ({}, np.array(["egg", 1], object), TypeError, "model_index: expected"),
-        ({}, ["egg"], ValueError, "model_index: expected one for each of 2 transforms, got shape (1,)"),
-        ({}, [["egg", "egg"]], ValueError, "model_index: expected one for each of 2 transforms, got shape (1, 2)"),
-    ],
-)
-def test_other_names_are_refused(
-    by_name: dict[str, nf.lod.LodModel], change: Any, index: Any, error: type[Exception], message: str
-) -> None:
-    with pytest.raises(error, match=re.escape(message)):
-        nf.lod.place(by_name | change, index, frames(2, seed=0))
 
 
 def test_names_belong_to_a_mapping(models: list[nf.lod.LodModel]) -> None:

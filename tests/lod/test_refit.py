@@ -14,12 +14,9 @@ from nearfar.lod._measure import statistic
 from tests.support.leveled_cases import model_of
 from tests.support.lod_cases import SMALL, assert_same, count_renders, levels
 
+pytestmark = pytest.mark.usefixtures("fresh_cache")
+
 WHOLE: dict[str, Any] = SMALL | {"views": 24, "distances": 6, "step": None, "saturated": None}
-
-
-@pytest.fixture(autouse=True)
-def _fresh_cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("NEARFAR_CACHE", str(tmp_path / "cache"))
 
 
 @pytest.mark.parametrize("percentile", [0, 5, 37.5, 100, "mean"])

@@ -15,10 +15,7 @@ from nearfar.lod._measure import score_table, scores as level_scores
 from nearfar.lod._measure.score_cache import SUFFIX
 from tests.support.lod_cases import SMALL, assert_same, count_renders, levels
 
-
-@pytest.fixture(autouse=True)
-def _fresh_cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("NEARFAR_CACHE", str(tmp_path / "cache"))
+pytestmark = pytest.mark.usefixtures("fresh_cache")
 
 
 def test_cached_scores_are_not_rendered_again(monkeypatch: pytest.MonkeyPatch) -> None:

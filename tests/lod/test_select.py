@@ -251,33 +251,6 @@ def test_thresholds_that_no_level_reaches_select_level_0() -> None:
 
 
 # errors --------------------------------------------------------------------------------------------------------------
-@pytest.mark.parametrize(
-    ("changed", "error", "message"),
-    [
-        ({"models": []}, ValueError, "model_index: expected no objects without models, got 0 at index 0"),
-        ({"model_index": [1]}, ValueError, "model_index: expected whole numbers from 0 to 0, got 1 at index 0"),
-        ({"model_index": [-1]}, ValueError, "model_index: expected whole numbers from 0 to 0, got -1 at index 0"),
-        ({"model_index": [0, 0]}, ValueError, r"model_index: expected shape \(1,\), got \(2,\)"),
-        ({"model_index": [0.5]}, TypeError, "model_index: expected whole numbers"),
-        ({"radii": [-1.0]}, ValueError, "radii: expected finite numbers of at least 0, got -1 at index 0"),
-        (
-            {"camera": nf.Camera((0, 0, 0), fov=nf.CubeFace(0), size=(8, 8))},
-            TypeError,
-            "camera: expected one with a Fov",
-        ),
-        ({"lens": nf.RadialLens((0.1,), (0.1, 0.0))}, ValueError, "lens: expected a lens without tangential terms"),
-        ({"previous": [8]}, ValueError, "previous: expected whole numbers from -1 to 7, got 8 at index 0"),
-        ({"previous": [-2]}, ValueError, "previous: expected whole numbers from -1 to 7, got -2 at index 0"),
-    ],
-)
-def test_bad_arguments(changed: dict[str, Any], error: type[Exception], message: str) -> None:
-    arguments: dict[str, Any] = {"models": [usual()], "model_index": [0], "centers": [[0.0, 0, -5]], "radii": [1.0]}
-    arguments |= {"camera": VIEW} | changed
-    positional = [arguments.pop(name) for name in ("models", "model_index", "centers", "radii")]
-    with pytest.raises(error, match=message):
-        nf.lod.select(*positional, **arguments)
-
-
 def test_models_may_have_curves_only() -> None:
     with pytest.raises(ValueError, match="curves: expected 7, one for each level but level 0, got 1"):
         replace(usual(), curves=curves([(1, 1, 1, 0)]))

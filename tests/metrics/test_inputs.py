@@ -53,7 +53,7 @@ def test_frames_refuse_a_data_range(name: str) -> None:
 def test_values_that_differ_by_more_than_the_range_are_refused(name: str, kind: type) -> None:
     both: list[NDArray[Any]] = [np.asarray(np.round(200 * p), kind) for p in pictures(300, 400)]
     lowest, highest = (float(f(both)) for f in (np.min, np.max))
-    for level in (0, 9000 if kind != np.uint8 else 50):
+    for level in (0, 50) if kind is np.uint8 else (0, 9000) if kind is np.uint16 else (0, 9000, -100, -200):
         shifted = [p + kind(level) for p in both]
         assert np.isfinite(METRICS[name](*shifted, data_range=highest - lowest))
         for wrong in (1, highest - lowest - 0.01):

@@ -52,19 +52,3 @@ def test_grey_pictures_and_frames_are_compared_as_colours(monkeypatch: pytest.Mo
     codes = [frame.to_image()[..., :3] for frame in frames]
     # Eight bits round each value by half a code.
     assert nf.metrics.flip(*frames) == pytest.approx(nf.metrics.flip(*codes, data_range=255), abs=2e-3)
-
-
-@pytest.mark.parametrize(
-    ("change", "error", "message"),
-    [
-        ({"data_range": None}, ValueError, "data_range: expected the range of the pictures' values"),
-        ({"data_range": 100}, ValueError, "reference: expected values from 0 to 100, got "),
-        ({"pixels_per_degree": 0.5}, ValueError, "pixels_per_degree: expected a number from 1 to 500, got 0.5"),
-        ({"full": 1}, TypeError, "full: expected"),
-    ],
-)
-def test_bad_arguments_are_named(change: dict[str, Any], error: type[Exception], message: str) -> None:
-    with pytest.raises(error, match=message):
-        nf.metrics.flip(*pictures(), **{"data_range": 255, **change})
-    with pytest.raises(ValueError, match="test: expected shape"):
-        nf.metrics.flip(pictures()[0], pictures()[1][:-1], data_range=255)

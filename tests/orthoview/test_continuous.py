@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 import nearfar as nf
 from benchmarks.orthoview.counts import swap_distances
 from tests.support import need
+from tests.support.flight_cases import camera_at, holes
 from tests.support.orthoview_stores import built_once, world_of
 
 need("zarr")
@@ -28,20 +29,6 @@ def scene() -> nf.Scene:
 @pytest.fixture(scope="module")
 def shared_tree(scene: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> Tree:
     return built_once(tmp_path_factory, "continuous.zarr", scene, cell=10, size=32, directions=9)
-
-
-def camera_at(tree: Tree, distance: float, angle: float = 0.3) -> nf.Camera:
-    """A view of the whole tree from above."""
-    middle = tree.bounds.mean(axis=0)
-    toward = np.array([np.cos(angle), 0.6, np.sin(angle)])
-    eye = middle + distance * toward / np.linalg.norm(toward)
-    return nf.Camera.look_at(eye, middle, fov=nf.Fov.symmetric(50), size=(96, 96))
-
-
-def holes(frame: nf.Frame, truth: nf.Frame) -> float:
-    """Share of the pixels that show a surface in truth and none in a frame."""
-    is_hit = np.isfinite(truth.require("range"))
-    return float((is_hit & np.isinf(frame.require("range"))).sum() / is_hit.sum())
 
 
 def changes(tree: Tree, camera: nf.Camera, errors: NDArray[np.float64], continuous: bool) -> NDArray[np.float64]:

@@ -8,6 +8,7 @@ import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from functools import partial
 from http.server import ThreadingHTTPServer
 from pathlib import Path
 from typing import Any
@@ -20,7 +21,7 @@ from nearfar.orthoview import _loader
 from tests.support import need
 from tests.support.flight_cases import CHANNELS, LONG, Gate, camera_at, gated, is_same, there, whole
 from tests.support.orthoview_stores import CELL, SIZE, box_about, world_of
-from tests.support.range_server import RangeHandler
+from tests.support.range_server import RangeHandler, running
 from tests.support.shared_folders import make_once
 from tests.support.waiting import wait_until
 
@@ -56,20 +57,13 @@ def serving(folder: Path) -> Iterator[Server]:
             self.close_connection |= state.status < 0
             return is_sound and state.status == 0
 
-        def __init__(self, *given: Any) -> None:
-            super().__init__(*given, directory=str(folder))
-
-    with ThreadingHTTPServer(("127.0.0.1", 0), Handler) as http:
-        state = Server(f"http://127.0.0.1:{http.server_port}/")
+    with running(partial(Handler, directory=str(folder))) as url:
+        state = Server(url)
         state.goes_on.set()
-        thread = threading.Thread(target=http.serve_forever, args=(0.01,))
-        thread.start()
         try:
             yield state
         finally:
             state.goes_on.set()
-            http.shutdown()
-            thread.join()
 
 
 @pytest.fixture

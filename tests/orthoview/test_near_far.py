@@ -20,18 +20,8 @@ R1, R2 = 8.0, 25.0
 
 
 @pytest.fixture(scope="module")
-def scene(thirty: nf.Scene) -> nf.Scene:
-    return thirty
-
-
-@pytest.fixture(scope="module")
-def tree(layered: Tree) -> Tree:
-    return layered
-
-
-@pytest.fixture(scope="module")
-def center(tree: Tree) -> tuple[float, float, float]:
-    x, y, z = tree.bounds.mean(axis=0).tolist()
+def center(layered: Tree) -> tuple[float, float, float]:
+    x, y, z = layered.bounds.mean(axis=0).tolist()
     return x, y, z
 
 
@@ -53,14 +43,14 @@ def translation(x: float, y: float, z: float) -> NDArray[np.float64]:
 
 @pytest.mark.parametrize("offset", [(0.0, 0.0, 0.0), (0.0, 35.0, 0.0), (30.0, 10.0, -20.0)])
 def test_moving_objects_are_visible_where_they_are_nearer(
-    tree: Tree, mover: nf.Scene, center: tuple[float, float, float], offset: tuple[float, float, float]
+    layered: Tree, mover: nf.Scene, center: tuple[float, float, float], offset: tuple[float, float, float]
 ) -> None:
     camera, channels = camera_at(center, 0.7), ("color", "range", "object_id", "position")
-    dynamic = tree.with_dynamic(mover)
+    dynamic = layered.with_dynamic(mover)
     (name,) = mover.object_names
     poses = {name: dynamic.poses[name] + translation(*offset) - np.eye(4)}
     both = nf.render(dynamic, camera, at=poses, channels=channels)
-    alone = nf.render(tree, camera, channels=channels)
+    alone = nf.render(layered, camera, channels=channels)
     only = nf.render(mover.with_dynamic([name]), camera, at=poses, channels=channels)
     is_nearer = only.require("range") < alone.require("range")
     assert is_nearer.any()
@@ -73,14 +63,14 @@ def test_moving_objects_are_visible_where_they_are_nearer(
     np.testing.assert_allclose(world, only.require("position")[is_nearer] + only.origin, atol=1e-3)
 
 
-def test_a_tree_without_moving_objects_accepts_no_poses(tree: Tree, mover: nf.Scene) -> None:
+def test_a_tree_without_moving_objects_accepts_no_poses(layered: Tree, mover: nf.Scene) -> None:
     with pytest.raises(ValueError, match="nothing moves"):
-        tree.at({"box": np.eye(4)})
-    assert tree.poses == {}
+        layered.at({"box": np.eye(4)})
+    assert layered.poses == {}
 
 
-def test_flights_show_moving_objects(tree: Tree, mover: nf.Scene, center: tuple[float, float, float]) -> None:
-    camera, dynamic = camera_at(center, 0.7), tree.with_dynamic(mover)
+def test_flights_show_moving_objects(layered: Tree, mover: nf.Scene, center: tuple[float, float, float]) -> None:
+    camera, dynamic = camera_at(center, 0.7), layered.with_dynamic(mover)
     (name,) = mover.object_names
     poses = {name: dynamic.poses[name] + translation(0.0, 35.0, 0.0) - np.eye(4)}
     with dynamic.fly() as flight:
@@ -94,24 +84,24 @@ def test_flights_show_moving_objects(tree: Tree, mover: nf.Scene, center: tuple[
 
 
 def test_the_near_scene_has_all_near_triangles(
-    tree: Tree, scene: nf.Scene, center: tuple[float, float, float], mover: nf.Scene
+    layered: Tree, thirty: nf.Scene, center: tuple[float, float, float], mover: nf.Scene
 ) -> None:
-    near = nf.orthoview.open(tree.path).near_scene(center, R2)  # No cut has read the guests of leaves.
+    near = nf.orthoview.open(layered.path).near_scene(center, R2)  # No cut has read the guests of leaves.
     assert near is not None
-    whole, part = (nf.partition(each, center=center, r1=R1, r2=R2).summary() for each in (scene, near))
+    whole, part = (nf.partition(each, center=center, r1=R1, r2=R2).summary() for each in (thirty, near))
     assert part["near"] == whole["near"] > 0
     assert part["intermediate"] == whole["intermediate"] > 0
     assert part["triangles"] < whole["triangles"]
-    with_mover = tree.with_dynamic(mover).near_scene(center, R2)
+    with_mover = layered.with_dynamic(mover).near_scene(center, R2)
     assert with_mover is not None
     assert with_mover.triangle_count == near.triangle_count + mover.triangle_count
 
 
 def test_the_map_of_a_tree_equals_that_of_the_world(
-    tree: Tree, scene: nf.Scene, center: tuple[float, float, float]
+    layered: Tree, thirty: nf.Scene, center: tuple[float, float, float]
 ) -> None:
-    made = tree.far_map(center, R2, face_size=64, samples=4, channels=("range",))
-    true = nf.reduce(scene, center=center, r1=R1, r2=R2, face_size=64, channels=("color", "range")).env
+    made = layered.far_map(center, R2, face_size=64, samples=4, channels=("range",))
+    true = nf.reduce(thirty, center=center, r1=R1, r2=R2, face_size=64, channels=("color", "range")).env
     assert true is not None
     assert true.range is not None
     assert made.range is not None
@@ -125,12 +115,12 @@ def test_the_map_of_a_tree_equals_that_of_the_world(
 
 
 def test_the_map_of_a_tree_shows_nothing_within_the_radius(
-    tree: Tree, scene: nf.Scene, center: tuple[float, float, float]
+    layered: Tree, thirty: nf.Scene, center: tuple[float, float, float]
 ) -> None:
     """A map of geometry extends two texels inwards, one of views half a pixel."""
     size = 32
-    made = tree.far_map(center, R2, face_size=size, samples=1, channels=("range",), error_px=1e3)
-    true = nf.reduce(scene, center=center, r1=R1, r2=R2, face_size=size, channels=("color", "range")).env
+    made = layered.far_map(center, R2, face_size=size, samples=1, channels=("range",), error_px=1e3)
+    true = nf.reduce(thirty, center=center, r1=R1, r2=R2, face_size=size, channels=("color", "range")).env
     assert true is not None
     cameras = [nf.Camera(center, fov=nf.CubeFace(face), size=(size, size)) for face in range(6)]
     rays = np.stack([camera.rays()[1] for camera in cameras])
@@ -141,10 +131,10 @@ def test_the_map_of_a_tree_shows_nothing_within_the_radius(
 
 
 def test_a_map_of_geometry_alone_equals_the_worlds(
-    tree: Tree, scene: nf.Scene, center: tuple[float, float, float]
+    layered: Tree, thirty: nf.Scene, center: tuple[float, float, float]
 ) -> None:
-    made = tree.far_map(center, R2, face_size=32, samples=4, channels=("range",), error_px=1e-6)
-    true = nf.reduce(scene, center=center, r1=R1, r2=R2, face_size=32, channels=("color", "range")).env
+    made = layered.far_map(center, R2, face_size=32, samples=4, channels=("range",), error_px=1e-6)
+    true = nf.reduce(thirty, center=center, r1=R1, r2=R2, face_size=32, channels=("color", "range")).env
     assert true is not None
     assert true.range is not None
     assert made.range is not None
@@ -157,29 +147,29 @@ def test_a_map_of_geometry_alone_equals_the_worlds(
 
 @pytest.mark.parametrize("morph", ["blend", "none"])
 def test_a_tree_is_reduced_like_its_world(
-    tree: Tree, scene: nf.Scene, center: tuple[float, float, float], morph: MorphKind
+    layered: Tree, thirty: nf.Scene, center: tuple[float, float, float], morph: MorphKind
 ) -> None:
     camera = nf.Camera.look_at(center, np.add(center, [10.0, -2.0, 3.0]), fov=nf.Fov.symmetric(80), size=(64, 64))
     made, true = (
         nf.reduce(source, center=center, r1=R1, r2=R2, face_size=64, morph=morph).render(camera)
-        for source in (tree, scene)
+        for source in (layered, thirty)
     )
     assert np.sqrt(((made.require("color") - true.require("color")) ** 2).mean()) < 0.08
 
 
 def test_moving_objects_are_composited_with_the_map(
-    tree: Tree, mover: nf.Scene, center: tuple[float, float, float]
+    layered: Tree, mover: nf.Scene, center: tuple[float, float, float]
 ) -> None:
-    reduced = nf.reduce(tree.with_dynamic(mover), center=center, r1=R1, r2=R2, face_size=64)
+    reduced = nf.reduce(layered.with_dynamic(mover), center=center, r1=R1, r2=R2, face_size=64)
     assert reduced.env is not None
     assert reduced.env.range is not None
     assert set(reduced.poses) == set(mover.object_names)
 
 
 def test_a_saved_reduction_of_a_tree_is_restored(
-    tree: Tree, center: tuple[float, float, float], tmp_path: Path
+    layered: Tree, center: tuple[float, float, float], tmp_path: Path
 ) -> None:
-    reduced = nf.reduce(tree, center=center, r1=R1, r2=R2, face_size=32)
+    reduced = nf.reduce(layered, center=center, r1=R1, r2=R2, face_size=32)
     reduced.save(tmp_path / "reduced")
     camera = camera_at(center, 0.0, 1.0)
     one, other = reduced.render(camera), nf.ReducedScene.load(tmp_path / "reduced").render(camera)
@@ -196,18 +186,18 @@ def test_a_saved_reduction_of_a_tree_is_restored(
     ],
 )
 def test_unsupported_settings_of_trees_are_refused(
-    tree: Tree, center: tuple[float, float, float], how: dict[str, object], message: str
+    layered: Tree, center: tuple[float, float, float], how: dict[str, object], message: str
 ) -> None:
     with pytest.raises(ValueError, match=message):
-        nf.reduce(tree, center=center, r1=R1, r2=R2, face_size=16, **how)  # type: ignore[arg-type]
+        nf.reduce(layered, center=center, r1=R1, r2=R2, face_size=16, **how)  # type: ignore[arg-type]
 
 
-def test_a_centre_far_from_everything_is_refused(tree: Tree) -> None:
+def test_a_centre_far_from_everything_is_refused(layered: Tree) -> None:
     with pytest.raises(ValueError, match="geometry within r2"):
-        nf.reduce(tree, center=(1e5, 0.0, 0.0), r1=R1, r2=R2, face_size=16)
+        nf.reduce(layered, center=(1e5, 0.0, 0.0), r1=R1, r2=R2, face_size=16)
 
 
-def test_a_tree_without_geometry_has_no_near_scene(scene: nf.Scene, tmp_path: Path) -> None:
-    bare = nf.orthoview.build(scene, tmp_path / "bare.zarr", cell=40, size=8, directions=5, geometry=False)
+def test_a_tree_without_geometry_has_no_near_scene(thirty: nf.Scene, tmp_path: Path) -> None:
+    bare = nf.orthoview.build(thirty, tmp_path / "bare.zarr", cell=40, size=8, directions=5, geometry=False)
     with pytest.raises(ValueError, match="with geometry"):
         bare.near_scene(bare.bounds.mean(axis=0), R2)

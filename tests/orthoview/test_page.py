@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import partial
-from http.server import ThreadingHTTPServer
 from pathlib import Path
 from typing import Any
 
@@ -31,7 +29,7 @@ from tests.support.flown_page import (
     problems,
     rendered,
 )
-from tests.support.range_server import RangeHandler
+from tests.support.range_server import RangeHandler, running
 
 pytestmark = pytest.mark.slow
 
@@ -92,15 +90,9 @@ def hosted(folder: Path) -> Iterator[Host]:
             else:
                 super().do_GET()
 
-    with ThreadingHTTPServer(("127.0.0.1", 0), partial(Handler, directory=str(folder.parent))) as server:
-        host = Host(f"http://127.0.0.1:{server.server_port}/{folder.name}/")
-        thread = threading.Thread(target=server.serve_forever, args=(0.01,))
-        thread.start()
-        try:
-            yield host
-        finally:
-            server.shutdown()
-            thread.join()
+    with running(partial(Handler, directory=str(folder.parent))) as url:
+        host = Host(f"{url}{folder.name}/")
+        yield host
 
 
 def test_the_old_picture_stays_when_the_server_fails(

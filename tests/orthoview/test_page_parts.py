@@ -2,12 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from contextlib import contextmanager
-from functools import partial
-from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from http.server import SimpleHTTPRequestHandler
 from pathlib import Path
-from threading import Thread
 from typing import Any
 
 import numpy as np
@@ -22,7 +18,7 @@ from nearfar.serve._server import Server
 from tests.support import need
 from tests.support.orthoview_page import Damage, Store, ViewKey, cameras, cases_of, in_node
 from tests.support.orthoview_stores import CELL, SIZE, Interrupted, masks_of
-from tests.support.range_server import serve_folder
+from tests.support.range_server import RangeHandler, serve_folder
 from tests.support.shared_folders import make_once
 from tests.support.web_cases import web_tests
 
@@ -137,22 +133,10 @@ def check(tree: nf.orthoview.OrthoTree, store: Store, layers: list[list[dict[str
             np.testing.assert_array_equal(in_rows(layer), own)
 
 
-@contextmanager
-def without_ranges(folder: Path) -> Iterator[str]:
-    """A server that ignores ranges and sends whole files."""
+class WithoutRanges(RangeHandler):
+    """Ignores ranges and sends whole files."""
 
-    class Handler(SimpleHTTPRequestHandler):
-        def log_message(self, *_: Any) -> None:
-            """Print nothing."""
-
-    with ThreadingHTTPServer(("127.0.0.1", 0), partial(Handler, directory=str(folder))) as server:
-        thread = Thread(target=server.serve_forever, args=(0.01,))
-        thread.start()
-        try:
-            yield f"http://127.0.0.1:{server.server_port}/"
-        finally:
-            server.shutdown()
-            thread.join()
+    do_GET = SimpleHTTPRequestHandler.do_GET  # noqa: N815 - the base class's name
 
 
 def damage_store(path: Path) -> list[Damage]:
@@ -207,9 +191,9 @@ def test_stores_are_read_as_in_python(
 ) -> None:
     """Covers a tree, one with updates, one with large shards with and without ranges, and a damaged one."""
     folder = Path(tree.path).parent
-    with serve_folder(folder) as server, without_ranges(folder) as whole, serve_folder(tmp_path) as other:
+    with serve_folder(folder) as server, serve_folder(folder, WithoutRanges) as whole, serve_folder(tmp_path) as other:
         trees = [tree, updated_tree, large, large]
-        urls = [f"{url}{Path(own.path).name}/" for own, url in zip(trees, [server.url] * 3 + [whole], strict=True)]
+        urls = [f"{url}{Path(own.path).name}/" for own, url in zip(trees, [server.url] * 3 + [whole.url], strict=True)]
         stores = [sample(own, url, count) for own, url, count in zip(trees, urls, (60, 40, 12, 12), strict=True)]
         few = nf.orthoview.open(copied_few)
         cases = cases_of(few, cameras(few, 1, seed=3))

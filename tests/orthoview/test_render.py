@@ -8,7 +8,6 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from http.server import ThreadingHTTPServer
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -18,6 +17,7 @@ import nearfar as nf
 from nearfar._camera.shot import Shot
 from nearfar.orthoview._files import Local
 from tests.support import need
+from tests.support.flight_cases import camera_at, holes, images_of
 from tests.support.orthoview_stores import SIZE, box_about, world_of
 from tests.support.range_server import serve_folder
 
@@ -25,29 +25,6 @@ need("zarr")
 
 CHANNELS = ("color", "range", "object_id", "albedo", "normal")
 Tree = nf.orthoview.OrthoTree
-
-
-@pytest.fixture(scope="module")
-def scene(thirty: nf.Scene) -> nf.Scene:
-    return thirty
-
-
-@pytest.fixture(scope="module")
-def shared_tree(layered: Tree) -> Tree:
-    return layered
-
-
-def camera_at(tree: Tree, distance: float, angle: float = 0.3, size: tuple[int, int] = (96, 96)) -> nf.Camera:
-    """A view of the whole tree from above."""
-    middle = tree.bounds.mean(axis=0)
-    toward = np.array([np.cos(angle), 0.6, np.sin(angle)])
-    return nf.Camera.look_at(
-        middle + distance * toward / np.linalg.norm(toward), middle, fov=nf.Fov.symmetric(50), size=size
-    )
-
-
-def images_of(frame: nf.Frame) -> dict[str, NDArray[Any]]:
-    return {name: frame.require(name) for name in frame.channels}
 
 
 def assert_same(one: nf.Frame, other: nf.Frame) -> None:
@@ -64,12 +41,6 @@ def truth_of(scene: nf.Scene, tree: Tree, camera: nf.Camera) -> nf.Frame:
     return nf.render(scene, camera, clip=nf.Clip(box=tree.bounds), channels=CHANNELS)
 
 
-def holes(frame: nf.Frame, truth: nf.Frame) -> float:
-    """Share of the pixels that show a surface in truth and none in a frame."""
-    is_hit = np.isfinite(truth.require("range"))
-    return float((is_hit & np.isinf(frame.require("range"))).sum() / is_hit.sum())
-
-
 def psnr(frame: nf.Frame, truth: nf.Frame) -> float:
     error = frame.to_image().astype(float) - truth.to_image().astype(float)
     return float(10 * np.log10(255**2 / (error**2).mean()))
@@ -77,10 +48,10 @@ def psnr(frame: nf.Frame, truth: nf.Frame) -> float:
 
 @pytest.mark.parametrize("angle", [0.3, 1.9, 4.0])
 @pytest.mark.parametrize("distance", [120.0, 200.0])
-def test_views_show_the_world(shared_tree: Tree, scene: nf.Scene, distance: float, angle: float) -> None:
-    camera = camera_at(shared_tree, distance, angle)
-    truth = truth_of(scene, shared_tree, camera)
-    frame = shared_tree.render(camera, geometry=False, channels=CHANNELS)
+def test_views_show_the_world(layered: Tree, thirty: nf.Scene, distance: float, angle: float) -> None:
+    camera = camera_at(layered, distance, angle, size=(96, 96))
+    truth = truth_of(thirty, layered, camera)
+    frame = layered.render(camera, geometry=False, channels=CHANNELS)
     assert holes(frame, truth) <= 0.005
     assert psnr(frame, truth) > 21
     # A pixel of a view is at most as wide as a pixel of the picture, and ellipses extend by two of them.
@@ -92,36 +63,36 @@ def test_views_show_the_world(shared_tree: Tree, scene: nf.Scene, distance: floa
     assert frame.stats["leaves"] == 0 < frame.stats["splats_seen"] <= frame.stats["splats_in_picture"]
 
 
-def test_pictures_use_the_views_of_their_cut(shared_tree: Tree, scene: nf.Scene) -> None:
+def test_pictures_use_the_views_of_their_cut(layered: Tree, thirty: nf.Scene) -> None:
     """With one view for each cell: that of its edge or, raised by 60 degrees, that from the top."""
-    camera, found = camera_at(shared_tree, 200), []
+    camera, found = camera_at(layered, 200), []
     for lift_deg in (0.0, 60.0):
-        tree = nf.orthoview.open(shared_tree.path)
+        tree = nf.orthoview.open(layered.path)
         frame = tree.render(camera, views=1, lift_deg=lift_deg, geometry=False, channels=CHANNELS)
         keys = tree.cut(camera, views=1, lift_deg=lift_deg, geometry=False).keys()
-        assert frame.stats["splats"] == sum(splats.count for splats in shared_tree._viewer.views.get(keys))
+        assert frame.stats["splats"] == sum(splats.count for splats in layered._viewer.views.get(keys))
         assert all(key in tree._viewer.views.cache for key in keys)
         found.append((set(keys), frame, tree._viewer.views.cache))
     (paper, one, _), (raised, other, views) = found
     assert len(paper) == len(raised)
     assert not any(key in views for key in paper)
-    assert {direction for *_, direction in raised} == {shared_tree.directions.index((0, 1, 0))}
+    assert {direction for *_, direction in raised} == {layered.directions.index((0, 1, 0))}
     assert differ(one, other)
 
 
-def test_a_near_viewer_sees_geometry(shared_tree: Tree, scene: nf.Scene) -> None:
+def test_a_near_viewer_sees_geometry(layered: Tree, thirty: nf.Scene) -> None:
     """All visible leaves are geometry: the world, except that positions are rounded to a millimetre."""
-    camera = camera_at(shared_tree, 140)
-    frame = shared_tree.render(camera, error_px=0.1, channels=CHANNELS)
-    truth = truth_of(scene, shared_tree, camera)
+    camera = camera_at(layered, 140)
+    frame = layered.render(camera, error_px=0.1, channels=CHANNELS)
+    truth = truth_of(thirty, layered, camera)
     assert frame.stats["splats"] == 0 < frame.stats["leaves"]
     there = np.isfinite(frame.require("range"))
     assert (there != np.isfinite(truth.require("range"))).mean() < 0.001
     both = there & np.isfinite(truth.require("range"))
     assert (np.abs(frame.require("range")[both] - truth.require("range")[both]) < 0.01).mean() > 0.995
     assert (frame.to_image() == truth.to_image()).mean() > 0.99
-    places = shared_tree.cut(camera, error_px=0.1).leaf_places()
-    leaves = shared_tree._viewer.near.scene(shared_tree._viewer.cutter.with_guests(places))
+    places = layered.cut(camera, error_px=0.1).leaf_places()
+    leaves = layered._viewer.near.scene(layered._viewer.cutter.with_guests(places))
     assert leaves is not None
     right = nf.render(leaves, camera, channels=CHANNELS)
     for name, image in images_of(frame).items():
@@ -131,13 +102,11 @@ def test_a_near_viewer_sees_geometry(shared_tree: Tree, scene: nf.Scene) -> None
             np.testing.assert_array_equal(image, right.require(name))
 
 
-def test_geometry_and_views_are_composited(shared_tree: Tree) -> None:
+def test_geometry_and_views_are_composited(layered: Tree) -> None:
     """Each pixel shows the nearer of the leaves' geometry and the views beyond them."""
-    camera = camera_at(shared_tree, 90)
-    frame = shared_tree.render(camera, channels=CHANNELS)
-    leaves = shared_tree._viewer.near.scene(
-        shared_tree._viewer.cutter.with_guests(shared_tree.cut(camera).leaf_places())
-    )
+    camera = camera_at(layered, 90)
+    frame = layered.render(camera, channels=CHANNELS)
+    leaves = layered._viewer.near.scene(layered._viewer.cutter.with_guests(layered.cut(camera).leaf_places()))
     assert leaves is not None
     geometry = nf.render(leaves, camera, channels=CHANNELS)
     is_geometry = frame.require("object_id") >= 0
@@ -151,12 +120,12 @@ def test_geometry_and_views_are_composited(shared_tree: Tree) -> None:
 
 
 @pytest.mark.parametrize("angle", [0.3, 3.5])
-def test_there_are_no_holes_between_geometry_and_views(shared_tree: Tree, scene: nf.Scene, angle: float) -> None:
-    camera = camera_at(shared_tree, 90, angle)
-    truth = truth_of(scene, shared_tree, camera)
-    frame, views = shared_tree.render(camera), shared_tree.render(camera, geometry=False)
-    cells = np.floor((truth_positions(truth) - shared_tree.bounds[0]) / shared_tree.cell)
-    near = {tuple(place) for place in shared_tree.cut(camera).leaves.tolist()}
+def test_there_are_no_holes_between_geometry_and_views(layered: Tree, thirty: nf.Scene, angle: float) -> None:
+    camera = camera_at(layered, 90, angle)
+    truth = truth_of(thirty, layered, camera)
+    frame, views = layered.render(camera), layered.render(camera, geometry=False)
+    cells = np.floor((truth_positions(truth) - layered.bounds[0]) / layered.cell)
+    near = {tuple(place) for place in layered.cut(camera).leaves.tolist()}
     is_hit = np.isfinite(truth.require("range"))
     is_near = np.array(
         [
@@ -177,63 +146,63 @@ def truth_positions(truth: nf.Frame) -> NDArray[np.float64]:
     return positions
 
 
-def test_second_layers_fill_holes(scene: nf.Scene, shared_tree: Tree, tmp_path: Path) -> None:
-    one = nf.orthoview.build(scene, tmp_path / "one.zarr", cell=40, size=32, directions=5)
-    two = nf.orthoview.build(scene, tmp_path / "two.zarr", cell=40, size=32, directions=5, layers=2)
+def test_second_layers_fill_holes(thirty: nf.Scene, layered: Tree, tmp_path: Path) -> None:
+    one = nf.orthoview.build(thirty, tmp_path / "one.zarr", cell=40, size=32, directions=5)
+    two = nf.orthoview.build(thirty, tmp_path / "two.zarr", cell=40, size=32, directions=5, layers=2)
     total = [0.0, 0.0]
     for angle in (0.7, 2.4, 4.1):
         camera = camera_at(one, 130, angle)
-        truth = truth_of(scene, one, camera)
+        truth = truth_of(thirty, one, camera)
         first, second = (holes(tree.render(camera, geometry=False, views=1), truth) for tree in (one, two))
         assert second <= first
         total = [total[0] + first, total[1] + second]
     assert total[1] < 0.9 * total[0]
 
 
-def test_samples_equal_means_of_a_finer_picture(shared_tree: Tree) -> None:
+def test_samples_equal_means_of_a_finer_picture(layered: Tree) -> None:
     """With geometry and splats; a picture of twice the size has the same cut at twice the error."""
-    camera = camera_at(shared_tree, 90, size=(64, 48))
+    camera = camera_at(layered, 90, size=(64, 48))
     finer = replace(camera, size=(128, 96))
     channels = ("color", "coverage", "range")
-    frame = shared_tree.render(camera, samples=4, channels=channels)
-    fine = shared_tree.render(finer, error_px=2.0, channels=("color", "coverage"))
+    frame = layered.render(camera, samples=4, channels=channels)
+    fine = layered.render(finer, error_px=2.0, channels=("color", "coverage"))
     assert frame.stats["leaves"] == fine.stats["leaves"] > 0 < frame.stats["cells"] == fine.stats["cells"]
     for name in ("color", "coverage"):
         image = fine.require(name).astype(np.float64).reshape(48, 2, 64, 2, -1).mean(axis=(1, 3))
         np.testing.assert_allclose(frame.require(name), image.reshape(frame.require(name).shape), atol=1e-6)
-    middle = shared_tree.render(camera, channels=("range",))
+    middle = layered.render(camera, channels=("range",))
     np.testing.assert_array_equal(frame.require("range"), middle.require("range"))
-    odd = shared_tree.render(camera, samples=9, channels=channels)
+    odd = layered.render(camera, samples=9, channels=channels)
     np.testing.assert_array_equal(odd.require("range"), middle.require("range"))
 
 
-def test_limits_apply_to_geometry_and_splats(shared_tree: Tree) -> None:
-    camera = camera_at(shared_tree, 90)
-    whole = shared_tree.render(camera, channels=CHANNELS)
+def test_limits_apply_to_geometry_and_splats(layered: Tree) -> None:
+    camera = camera_at(layered, 90)
+    whole = layered.render(camera, channels=CHANNELS)
     ranges = whole.require("range")
     far = float(np.median(ranges[np.isfinite(ranges)]))
-    cut = shared_tree.render(camera, t_max=far, channels=CHANNELS)
+    cut = layered.render(camera, t_max=far, channels=CHANNELS)
     is_near = ranges <= far - 3
     np.testing.assert_array_equal(cut.require("color")[is_near], whole.require("color")[is_near])
     assert cut.require("range")[np.isfinite(cut.require("range"))].max() < far + 3
-    low, high = shared_tree.bounds
+    low, high = layered.bounds
     clip = nf.Clip(box=[low, (high[0], low[1] + 40, high[2])])
-    below = shared_tree.render(camera, clip=clip, channels=("position",))
+    below = layered.render(camera, clip=clip, channels=("position",))
     heights = below.require("position")[..., 1] + below.origin[1]
     assert np.nanmax(heights) < low[1] + 43
     assert np.nanmax(heights) > low[1] + 30
 
 
-def test_trees_are_drawn_with_masks_and_bare(shared_tree: Tree) -> None:
-    camera = camera_at(shared_tree, 90)
-    mask = np.random.default_rng(0).random((96, 96)) < 0.5
+def test_trees_are_drawn_with_masks_and_bare(layered: Tree) -> None:
+    camera = camera_at(layered, 90)
+    mask = np.random.default_rng(0).random((48, 64)) < 0.5
     shot = Shot(cameras=(camera,), channels=("color", "range"))
-    (whole,), (masked,) = shared_tree.trace(shot), shared_tree.trace(replace(shot, mask=mask))
+    (whole,), (masked,) = layered.trace(shot), layered.trace(replace(shot, mask=mask))
     for name in ("color", "range"):
         np.testing.assert_array_equal(masked[name][mask], whole[name][mask])
     assert (masked["color"][~mask] == 0).all()
     assert np.isinf(masked["range"][~mask]).all()
-    (bare,) = shared_tree.trace(replace(shot, bare=True))
+    (bare,) = layered.trace(replace(shot, bare=True))
     is_there = np.isfinite(whole["range"])[..., None]
     np.testing.assert_array_equal(bare["color"], np.where(is_there, whole["color"], 0))
 
@@ -254,8 +223,8 @@ def test_updated_and_compacted_trees_are_drawn(tmp_path: Path) -> None:
         assert_same(opened.render(camera, channels=CHANNELS), was)
 
 
-def test_a_second_picture_reads_nothing(shared_tree: Tree) -> None:
-    tree = nf.orthoview.open(shared_tree.path)
+def test_a_second_picture_reads_nothing(layered: Tree) -> None:
+    tree = nf.orthoview.open(layered.path)
     camera = camera_at(tree, 90)
     first = tree.render(camera, channels=CHANNELS)
     views, near = tree._viewer.views.cache, tree._viewer.near.cache
@@ -271,8 +240,8 @@ def test_a_second_picture_reads_nothing(shared_tree: Tree) -> None:
     assert views.reads < state[0] * 1.5
 
 
-def test_without_a_cache_the_last_views_are_kept(shared_tree: Tree) -> None:
-    tree, cached = nf.orthoview.open(shared_tree.path, cache_bytes=0), nf.orthoview.open(shared_tree.path)
+def test_without_a_cache_the_last_views_are_kept(layered: Tree) -> None:
+    tree, cached = nf.orthoview.open(layered.path, cache_bytes=0), nf.orthoview.open(layered.path)
     for distance in (200.0, 100.0, 150.0):
         camera = camera_at(tree, distance)
         assert_same(tree.render(camera), cached.render(camera))
@@ -286,36 +255,36 @@ def test_without_a_cache_the_last_views_are_kept(shared_tree: Tree) -> None:
     assert tree._viewer.views.cache.reads > reads
 
 
-def test_a_tree_behind_a_web_server_looks_the_same(shared_tree: Tree, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_tree_behind_a_web_server_looks_the_same(layered: Tree, monkeypatch: pytest.MonkeyPatch) -> None:
     need("fsspec")
     need("aiohttp")
     # Parts are requested at once. With the default queue of five connections the others would wait for a second.
     monkeypatch.setattr(ThreadingHTTPServer, "request_queue_size", 1024)
-    camera = camera_at(shared_tree, 90)
-    local = shared_tree.render(camera, channels=CHANNELS)
+    camera = camera_at(layered, 90)
+    local = layered.render(camera, channels=CHANNELS)
     assert local.stats["leaves"] > 0
-    with serve_folder(Path(shared_tree.path).parent) as server:
-        remote = nf.orthoview.open(f"{server.url}{Path(shared_tree.path).name}")
+    with serve_folder(Path(layered.path).parent) as server:
+        remote = nf.orthoview.open(f"{server.url}{Path(layered.path).name}")
         assert_same(remote.render(camera, channels=CHANNELS), local)
         asked = sum(server.answers.values())
         remote.render(camera, channels=CHANNELS)
         assert sum(server.answers.values()) == asked > 0
-    assert isinstance(shared_tree._files, Local)
+    assert isinstance(layered._files, Local)
 
 
-def test_invalid_calls_of_render_are_named(shared_tree: Tree) -> None:
-    camera = camera_at(shared_tree, 200, size=(16, 16))
+def test_invalid_calls_of_render_are_named(layered: Tree) -> None:
+    camera = camera_at(layered, 200, size=(16, 16))
     for samples in (8, 81, 2):
         with pytest.raises(ValueError, match=f"samples: expected 1, 4, 9 … 64 for orthoviews, got {samples}"):
-            shared_tree.render(camera, samples=samples)
+            layered.render(camera, samples=samples)
     with pytest.raises((ValueError, TypeError), match="at"):
-        nf.render(shared_tree, camera, at={"car": np.eye(4)})
+        nf.render(layered, camera, at={"car": np.eye(4)})
 
 
-def test_damaged_stores_are_named(shared_tree: Tree, tmp_path: Path) -> None:
+def test_damaged_stores_are_named(layered: Tree, tmp_path: Path) -> None:
     path = tmp_path / "copy.zarr"
-    shutil.copytree(shared_tree.path, path)
-    near, far = camera_at(shared_tree, 40), camera_at(shared_tree, 200)
+    shutil.copytree(layered.path, path)
+    near, far = camera_at(layered, 40), camera_at(layered, 200)
     nf.orthoview.open(path).render(near)
     for glb in (path / "geometry" / "content").rglob("*.glb"):
         glb.write_bytes(glb.read_bytes()[:-9])
@@ -332,35 +301,35 @@ def test_damaged_stores_are_named(shared_tree: Tree, tmp_path: Path) -> None:
         tree.render(far)
 
 
-def test_all_render_functions_accept_trees(shared_tree: Tree) -> None:
-    camera = camera_at(shared_tree, 90, size=(48, 40))
-    frame = shared_tree.render(camera)
-    assert frame.channels == ("color", "range") == shared_tree.default_channels
-    assert_same(nf.render(shared_tree, camera), frame)
-    other = camera_at(shared_tree, 95, 0.4, size=(48, 40))
-    frames = list(nf.render_path(shared_tree, [camera, other]))
+def test_all_render_functions_accept_trees(layered: Tree) -> None:
+    camera = camera_at(layered, 90, size=(48, 40))
+    frame = layered.render(camera)
+    assert frame.channels == ("color", "range") == layered.default_channels
+    assert_same(nf.render(layered, camera), frame)
+    other = camera_at(layered, 95, 0.4, size=(48, 40))
+    frames = list(nf.render_path(layered, [camera, other]))
     assert_same(frames[0], frame)
-    assert_same(frames[1], shared_tree.render(other))
+    assert_same(frames[1], layered.render(other))
     hmd = nf.hmd.QUEST_2
-    eyes = nf.render_eyes(shared_tree, hmd, camera.position, orientation=camera.orientation, size=(48, 48))
-    assert_same(eyes.left, nf.render(shared_tree, eyes.left.camera))
+    eyes = nf.render_eyes(layered, hmd, camera.position, orientation=camera.orientation, size=(48, 48))
+    assert_same(eyes.left, nf.render(layered, eyes.left.camera))
 
 
-def test_hybrid_stereo_accepts_trees(shared_tree: Tree) -> None:
+def test_hybrid_stereo_accepts_trees(layered: Tree) -> None:
     """Parts in front of the plane are drawn per eye, others once; with a plane beyond the world all per eye."""
-    camera, hmd = camera_at(shared_tree, 90), nf.hmd.QUEST_2
-    eyes = nf.render_eyes(shared_tree, hmd, camera.position, orientation=camera.orientation, size=(48, 48))
+    camera, hmd = camera_at(layered, 90), nf.hmd.QUEST_2
+    eyes = nf.render_eyes(layered, hmd, camera.position, orientation=camera.orientation, size=(48, 48))
     there = np.isfinite(eyes.left.require("range"))
     for plane in (60.0, 100.0, 1000.0):
         rig = nf.stereo.HybridRig.of(hmd, mono_plane=plane, size=(48, 48))
-        hybrid = rig.render(shared_tree, camera.position, camera.orientation)
+        hybrid = rig.render(layered, camera.position, camera.orientation)
         assert (there != np.isfinite(hybrid.left.require("range"))).mean() < 0.02
         assert psnr(hybrid.left, eyes.left) > 30
 
 
-def test_trees_accept_no_poses(shared_tree: Tree) -> None:
-    camera, earlier = camera_at(shared_tree, 90), camera_at(shared_tree, 90, 0.32)
-    frame = nf.render(shared_tree, camera, channels=("motion", "range", "position"), before=earlier)
+def test_trees_accept_no_poses(layered: Tree) -> None:
+    camera, earlier = (camera_at(layered, 90, angle, size=(96, 96)) for angle in (0.3, 0.32))
+    frame = nf.render(layered, camera, channels=("motion", "range", "position"), before=earlier)
     there = np.isfinite(frame.require("range"))
     places = frame.require("position")[there].astype(np.float64) + frame.origin
     rows, columns = np.nonzero(there)
@@ -369,21 +338,21 @@ def test_trees_accept_no_poses(shared_tree: Tree) -> None:
     assert np.abs(moved).max() > 1
 
 
-def test_trees_are_shared_by_threads_and_pickled_for_processes(shared_tree: Tree) -> None:
-    cameras = [camera_at(shared_tree, 90 + 10 * n, n) for n in range(6)]
-    right = [shared_tree.render(camera).to_image() for camera in cameras]
-    small = nf.orthoview.open(shared_tree.path, cache_bytes=0)
+def test_trees_are_shared_by_threads_and_pickled_for_processes(layered: Tree) -> None:
+    cameras = [camera_at(layered, 90 + 10 * n, n) for n in range(6)]
+    right = [layered.render(camera).to_image() for camera in cameras]
+    small = nf.orthoview.open(layered.path, cache_bytes=0)
     with ThreadPoolExecutor(4) as pool:
         found = list(pool.map(lambda camera: small.render(camera).to_image(), cameras * 2))
     for number, image in enumerate(found):
         np.testing.assert_array_equal(image, right[number % len(right)])
-    again = pickle.loads(pickle.dumps(shared_tree))
+    again = pickle.loads(pickle.dumps(layered))
     np.testing.assert_array_equal(again.render(cameras[0]).to_image(), right[0])
 
 
-def test_a_missing_geometry_file_is_named(shared_tree: Tree, tmp_path: Path) -> None:
-    store = Path(shutil.copytree(shared_tree.path, tmp_path / "copy.zarr"))
+def test_a_missing_geometry_file_is_named(layered: Tree, tmp_path: Path) -> None:
+    store = Path(shutil.copytree(layered.path, tmp_path / "copy.zarr"))
     for file in (store / "geometry" / "content").rglob("*.glb"):
         file.unlink()
     with pytest.raises(nf.FormatError, match=r"content/.*\.glb: the file is gone"):
-        nf.orthoview.open(store).render(camera_at(shared_tree, 90))
+        nf.orthoview.open(store).render(camera_at(layered, 90))

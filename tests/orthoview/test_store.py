@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-import functools
-import http.server
 import json
 import shutil
-import threading
 import warnings
 from collections import Counter
 from collections.abc import Iterator
@@ -27,6 +24,7 @@ from nearfar.orthoview._shard import check_complete
 from nearfar.orthoview._store import folder_records
 from tests.support import need, valid
 from tests.support.orthoview_stores import CELL, SIZE, Counted, box_about, contents, places, world_of
+from tests.support.range_server import RangeHandler, Served, serve_folder
 
 need("zarr")
 
@@ -147,44 +145,24 @@ def test_verify_names_damaged_files(copied_few: Path) -> None:
         nf.orthoview.open(copied_few)
 
 
-class Handler(http.server.SimpleHTTPRequestHandler):
-    """Serves a folder, with ranges unless the path begins with /whole, and records sent bytes."""
+class Whole(RangeHandler):
+    """Ignores ranges in paths that begin with /whole."""
 
-    sent: list[tuple[str, int]]
+    def translate_path(self, path: str) -> str:
+        return super().translate_path(path.removeprefix("/whole"))
 
-    def log_message(self, format: str, *given: Any) -> None:  # noqa: A002
-        pass
-
-    def do_GET(self) -> None:
-        path = Path(self.translate_path(self.path.removeprefix("/whole")))
-        wanted = self.headers.get("Range")
-        if not path.is_file():
-            self.send_error(404)
-            return
-        content, status = path.read_bytes(), 200
-        if wanted and not self.path.startswith("/whole"):
-            first, last = wanted.removeprefix("bytes=").split("-")
-            content = content[-int(last) :] if not first else content[int(first) : int(last) + 1]
-            status = 206
-        type(self).sent.append((self.path, len(content)))
-        self.send_response(status)
-        self.send_header("Content-Length", str(len(content)))
-        self.end_headers()
-        self.wfile.write(content)
+    def do_GET(self) -> None:  # noqa: N802 - the base class's name
+        if self.path.startswith("/whole"):
+            del self.headers["Range"]
+        super().do_GET()
 
 
 @pytest.fixture
-def url(copied_few: Path) -> Iterator[str]:
+def served(copied_few: Path) -> Iterator[Served]:
     need("fsspec")
     need("aiohttp")
-    Handler.sent = []
-    handler = functools.partial(Handler, directory=str(copied_few.parent))
-    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
-        thread = threading.Thread(target=server.serve_forever, args=(0.01,))
-        thread.start()
-        yield f"http://127.0.0.1:{server.server_port}"
-        server.shutdown()
-        thread.join()
+    with serve_folder(copied_few.parent, Whole) as server:
+        yield server
 
 
 def assert_same_views(one: nf.orthoview.OrthoTree, other: nf.orthoview.OrthoTree, step: int) -> None:
@@ -241,10 +219,10 @@ def test_parts_that_touch_are_one_request() -> None:
 
 @pytest.mark.parametrize("place", ["", "whole/"])
 def test_a_store_behind_a_web_server_is_read_in_part(
-    copied_few: Path, url: str, place: str, monkeypatch: pytest.MonkeyPatch
+    copied_few: Path, served: Served, place: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     local = nf.orthoview.open(copied_few).update(box_about([1]), world_of(range(9)))
-    remote = nf.orthoview.open(f"{url}/{place}copy.zarr/")
+    remote = nf.orthoview.open(f"{served.url}{place}copy.zarr/")
     assert remote.generation == 1
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
@@ -252,7 +230,7 @@ def test_a_store_behind_a_web_server_is_read_in_part(
     messages = [str(each.message) for each in caught if "sends whole files" in str(each.message)]
     assert len(messages) == (1 if place else 0)
     if place:
-        sent = Counter(path for path, _ in Handler.sent if "/c/" in path)
+        sent = Counter(path for path, _ in served.sent if "/c/" in path)
         assert max(sent.values()) == 1 < len(sent)
         monkeypatch.setattr(_files, "MAX_WHOLE_BYTES", 1)
         again = nf.orthoview.open(remote.path)
@@ -261,23 +239,23 @@ def test_a_store_behind_a_web_server_is_read_in_part(
         assert isinstance(again._files, _files.Remote)
         assert len(again._files._whole.values) == 0
     else:
-        chunks = sum(size for path, size in Handler.sent if "/c/" in path)
+        chunks = sum(size for path, size in served.sent if "/c/" in path)
         whole = sum(path.stat().st_size for path in copied_few.rglob("0") if path.is_file())
         assert chunks < whole / 4
-        asked = len(Handler.sent)
+        asked = len(served.sent)
         remote.view(0, (3, 3, 3), 4)
         remote.view(0, (3, 3, 3), 4)
-        assert len(Handler.sent) <= asked + 3  # Records are cached.
+        assert len(served.sent) <= asked + 3  # Records are cached.
     assert remote.verify() == local.verify()
 
 
-def test_a_store_behind_a_web_server_is_read_only(copied_few: Path, url: str, tmp_path: Path) -> None:
-    remote = nf.orthoview.open(f"{url}/copy.zarr")
+def test_a_store_behind_a_web_server_is_read_only(copied_few: Path, served: Served, tmp_path: Path) -> None:
+    remote = nf.orthoview.open(f"{served.url}copy.zarr")
     with pytest.raises(ValueError, match="path: expected a local folder to update, got 'http"):
         remote.update(remote.bounds, world_of([]))
     assert contents(Path(remote.compact(tmp_path / "local.zarr").path)) == contents(copied_few)
-    with pytest.raises(FileNotFoundError, match=f"{url}/none"):
-        nf.orthoview.open(f"{url}/none")
+    with pytest.raises(FileNotFoundError, match=f"{served.url}none"):
+        nf.orthoview.open(f"{served.url}none")
     with pytest.raises(ValueError, match="path: expected a URL that fsspec can open"):
         nf.orthoview.open("nowhere://store")
 

@@ -22,7 +22,7 @@ Tree = nf.orthoview.OrthoTree
 Place = tuple[int, int, int]
 
 SETTINGS: dict[str, Any] = {"cell": CELL, "size": SIZE, "directions": 5}
-ENDS = (1, 2, 60, 216, 470)
+ENDS = (1, 2, 60, 216)
 """Numbers of the query at which builds end: before the first leaf and after it, and in the middle of subtrees."""
 
 

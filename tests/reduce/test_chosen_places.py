@@ -57,12 +57,6 @@ def test_reasons_are_saved(tmp_path: Path) -> None:
     assert ", chosen by reduce: " in repr(loaded)
 
 
-@pytest.mark.parametrize(("name", "value"), [("r1", -1.0), ("r2", 0.0), ("center", (0, 1))])
-def test_wrong_places_are_named(name: str, value: object) -> None:
-    with pytest.raises(ValueError, match=f"^{name}: expected"):
-        nf.reduce(street(), **{name: value})  # type: ignore[arg-type]
-
-
 @pytest.mark.parametrize(
     ("center", "place"),
     [((0.0, -500.0, 0.0), "below"), ((99_000.0, 1.7, 0.0), "away from"), ((0.0, 1.7, -99e3), "away from")],

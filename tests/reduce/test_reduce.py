@@ -57,19 +57,6 @@ def test_statistics_are_consistent(scene: nf.Scene, blend: nf.ReducedScene) -> N
     assert "blend" in repr(blend)
 
 
-@pytest.mark.parametrize(
-    ("wrong", "words"),
-    [
-        ({"boundary": "r1"}, "boundary: expected 'r2' with morph='blend'"),
-        ({"channels": ("color", "normal")}, "channels: expected names of"),
-    ],
-)
-def test_reduce_refuses(scene: nf.Scene, wrong: dict[str, object], words: str) -> None:
-    arguments: dict[str, object] = {"center": CENTER, "r1": R1, "r2": R2, "face_size": 8} | wrong
-    with pytest.raises(ValueError, match=words):
-        nf.reduce(scene, **arguments)  # type: ignore[arg-type]
-
-
 def test_render_refuses(scene: nf.Scene, monkeypatch: pytest.MonkeyPatch) -> None:
     reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=8, samples=1)
     view = camera(CENTER, (1, 0, 0))

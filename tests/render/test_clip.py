@@ -139,19 +139,6 @@ def test_planes_far_from_the_origin_keep_their_precision() -> None:
     assert np.nanmin(x) < 0.4
 
 
-@pytest.mark.parametrize(
-    ("given", "words"),
-    [
-        ({"planes": [(1, 0, 0, 1)] * 9}, "planes: expected at most 8 half-spaces, of which a box takes six, got 9"),
-        ({"planes": [(1, 0, 0, 1)] * 3, "box": [(0, 0, 0), (1, 1, 1)]}, "planes: expected at most 8"),
-        ({"planes": [(0, 0, 0, 1)]}, "planes: expected normals of length above 0"),
-    ],
-)
-def test_wrong_planes_are_refused(given: dict[str, Any], words: str) -> None:
-    with pytest.raises(ValueError, match=words):
-        nf.Clip(**given)
-
-
 def test_bent_rays_and_a_traced_far_part_refuse_planes() -> None:
     reduced = nf.reduce(street(), center=CENTER, r1=R1, r2=R2, face_size=16)
     clip = CLIPS["a box"]

@@ -72,25 +72,6 @@ def test_an_empty_scene_is_valid() -> None:
     assert nf.Scene.from_arrays(*soup(3)).subset(objects=[]).triangle_count == 0
 
 
-@pytest.mark.parametrize(
-    ("change", "words"),
-    [
-        ({"vertices": np.full((3, 3), 2e30)}, r"vertices: expected coordinates within ±1e\+30 m, got 2e\+30 m"),
-        ({"vertices": np.full((3, 3), 1e200)}, r"vertices: expected coordinates within ±1e\+30 m, got 1e\+200 m"),
-        ({"vertices": np.diag([1.0, 1.0, -1e300])}, r"±1e\+30 m, got -1e\+300 m"),
-        ({"vertices": np.diag([1.0, 1.0, np.inf])}, "vertices: expected finite coordinates, got 1 vertices with NaN"),
-        ({"faces": [[0, 1, 2**40]]}, "faces: expected whole numbers from 0 to 4294967295"),
-        ({"face_object": [-2]}, "face_object: expected numbers from -1 to"),
-        ({"face_object": [2], "object_names": ["a", "b"]}, "face_object: expected numbers from -1 to 1, got 2 to 2"),
-        ({"face_object": [0], "object_names": ["a", "a"]}, "object_names: expected distinct names, got 1 repetitions"),
-    ],
-)
-def test_wrong_arrays_are_refused(change: dict[str, Any], words: str) -> None:
-    arrays = {"vertices": np.eye(3, dtype=np.float32), "faces": np.array([[0, 1, 2]])} | change
-    with pytest.raises(ValueError, match=words):
-        nf.Scene.from_arrays(**arrays)
-
-
 @given(st.lists(st.integers(-1, 3), min_size=1, max_size=300))
 def test_objects_are_found_in_every_face_order(owner: list[int]) -> None:
     vertices, faces = soup(len(owner))

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import copy
 import json
 import struct
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +16,6 @@ from tests.support.city_cases import (
     SHELL,
     city,
     collection,
-    everything,
     feature,
     parquet,
     polygon_bytes,
@@ -282,77 +279,6 @@ def test_damaged_parquet_is_an_error(tmp_path: Path) -> None:
     for cut in (0, 3, 4, 12, len(data) // 2, len(data) - 1):
         path.write_bytes(data[:cut])
         assert "it is not a Parquet file, or it is damaged" in message(path)
-
-
-SAMPLES: dict[str, Callable[[], Json]] = {
-    "a.city.json": everything,
-    "a.geojson": lambda: collection(feature([square(0, 0, 5), square(1, 1, 2)], height=3), feature([square(9, 9, 2)])),
-}
-
-VALUES: list[Any] = [None, True, -1, 7, 0.5, 1e31, 2**63, "", "text", [], {}, [[]], [1, 2, 3], {"type": "Polygon"}]
-
-
-def mutated(document: Any, random: np.random.Generator) -> Any:
-    """A copy in which one value, anywhere, is replaced, repeated or missing."""
-    copied = copy.deepcopy(document)
-    places: list[tuple[Any, Any]] = []
-
-    def collect(value: Any) -> None:
-        for key, item in value.items() if isinstance(value, dict) else enumerate(value):
-            places.append((value, key))
-            if isinstance(item, dict | list):
-                collect(item)
-
-    collect(copied)
-    parent, key = places[random.integers(len(places))]
-    match random.integers(3):
-        case 0:
-            del parent[key]
-        case 1 if isinstance(parent, list):
-            parent.insert(key, copy.deepcopy(parent[key]))
-        case _:
-            parent[key] = copy.deepcopy(VALUES[random.integers(len(VALUES))])
-    return copied
-
-
-@pytest.mark.parametrize("name", SAMPLES)
-def test_documents_with_a_changed_value_are_a_scene_or_an_error(tmp_path: Path, name: str) -> None:
-    random, path = np.random.default_rng(23), tmp_path / name
-    document = SAMPLES[name]()
-    assert nf.Scene.load(write_json(path, document)).triangle_count > 10
-    errors = unnamed = 0
-    for _ in range(200):
-        changed = mutated(document, random)
-        for _ in range(random.integers(2)):
-            changed = mutated(changed, random)
-        try:
-            scene = nf.Scene.load(write_json(path, changed), on_invalid="drop" if random.integers(2) else "raise")
-        except nf.SceneError as error:
-            errors += 1
-            unnamed += not str(error).startswith(f"{path}: ")
-        else:
-            assert np.isfinite(scene.bounds).all()
-    assert 20 < errors < 200
-    assert unnamed == 0
-
-
-def test_bytes_of_parquet_that_are_changed_are_a_scene_or_an_error(tmp_path: Path) -> None:
-    random = np.random.default_rng(29)
-    path = parquet(tmp_path / "a.parquet", [ROW] * 20, geo=GEO, height=[3.0] * 20, id=[f"b{n}" for n in range(20)])
-    data = np.frombuffer(path.read_bytes(), np.uint8)
-    errors = unnamed = 0
-    for _ in range(300):
-        changed = data.copy()
-        places = random.integers(0, len(data), random.integers(1, 4))
-        changed[places] = random.integers(0, 256, len(places))
-        path.write_bytes(changed.tobytes())
-        try:
-            nf.Scene.load(path, on_invalid="drop")
-        except nf.SceneError as error:
-            errors += 1
-            unnamed += not str(error).startswith(f"{path}: ")
-    assert errors > 100
-    assert unnamed == 0
 
 
 def test_lines_of_a_sequence_are_named(tmp_path: Path) -> None:

@@ -9,13 +9,13 @@ from typing import Any
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar._scene.city.cityjson import OBJECTS, SURFACES, Appearance, read
 from nearfar._scene.city.collector import Collector, Part, Surfaces
 from tests.support import data as data_file
 from tests.support.city_cases import CUBE, SHELL, city, solid, write_json
+from tests.support.solids import area_vectors
 
 THREE = "city/cityjson/3dbag_sub.city.json"
 
@@ -24,19 +24,13 @@ def load(tmp_path: Path, document: Any, **how: Any) -> nf.Scene:
     return nf.Scene.load(write_json(tmp_path / "a.city.json", document), **how)
 
 
-def areas(scene: nf.Scene) -> NDArray[np.float64]:
-    """Vector areas of the triangles."""
-    a, b, c = np.moveaxis(scene.triangles().astype(np.float64), 1, 0)
-    return np.asarray(np.cross(b - a, c - a) / 2)
-
-
 def test_a_cube_in_a_national_grid_keeps_its_position(tmp_path: Path) -> None:
     scene = load(tmp_path, city())
     np.testing.assert_array_equal(scene.bounds, [[85000, 2, -447010], [85010, 12, -447000]])
     assert np.abs(scene.origin - scene.bounds.mean(axis=0)).max() <= 0.5
     assert scene.object_names == ("house",)
     assert scene.triangle_count == 12
-    vectors = areas(scene)
+    vectors = area_vectors(scene)
     np.testing.assert_allclose(vectors.sum(axis=0), 0, atol=1e-9)
     corners = scene.triangles().astype(np.float64) - (scene.bounds.mean(axis=0) - scene.origin)
     assert np.einsum("ij,ij->", corners[:, 0], vectors) / 3 == pytest.approx(1000)
@@ -71,7 +65,7 @@ def test_every_kind_of_geometry_is_drawn(tmp_path: Path, geometry: Any, triangle
     objects = {"a": {"type": "Building", "geometry": [{"lod": 1, **geometry}]}}
     scene = load(tmp_path, city(objects))
     assert scene.triangle_count == triangles
-    assert areas(scene).shape == (triangles, 3)
+    assert area_vectors(scene).shape == (triangles, 3)
 
 
 def test_points_and_lines_are_counted(tmp_path: Path) -> None:
@@ -85,7 +79,7 @@ def test_holes_stay_open_in_any_plane(tmp_path: Path) -> None:
     geometry = {"type": "MultiSurface", "lod": "1", "boundaries": [[[0, 1, 2, 3], [4, 5, 6, 7]]]}
     objects = {"a": {"type": "Building", "geometry": [geometry]}}
     scene = load(tmp_path, city(objects, vertices=vertices, transform={"scale": [1, 1, 1], "translate": [0, 0, 0]}))
-    vectors = areas(scene)
+    vectors = area_vectors(scene)
     assert np.linalg.norm(vectors, axis=1).sum() == pytest.approx(20 - 5)
     np.testing.assert_allclose(vectors.sum(axis=0), [-9, 12, 0], atol=1e-6)
 

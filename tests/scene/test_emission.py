@@ -258,17 +258,5 @@ def test_materials_with_different_emission_stay_separate() -> None:
     assert [builder.material(**kind) for kind in kinds] == [0, 1, 2, 3, 4]
     # A black emission texture shows nothing.
     assert builder.material(emission_texture=image) == 0
-
-
-def test_wrong_arguments_are_named() -> None:
-    builder = nf.SceneBuilder()
-    wrong: dict[str, dict[str, Any]] = {
-        "emission: expected linear RGB, three numbers in 0..65503, got shape": {"emission": (1, 1)},
-        "emission: expected linear RGB, three numbers in 0..65503, got": {"emission": (0, 0, -1)},
-        "emission: ": {"emission": (0, 0, float("nan"))},
-        "emission_texture: expected a uint8 image": {"emission": (1, 1, 1), "emission_texture": np.zeros((2, 2, 3))},
-        "unlit: expected False for a material that emits light": {"emission": (1, 1, 1), "unlit": True},
-    }
-    for message, arguments in wrong.items():
-        with pytest.raises(ValueError, match=message):
-            builder.material(**arguments)
+    with pytest.raises(ValueError, match="unlit: expected False for a material that emits light"):
+        builder.material(emission=(1, 1, 1), unlit=True)

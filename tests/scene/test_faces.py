@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 import nearfar as nf
+from tests.support.solids import area_vectors
 
 DART = [(0.0, 0.0), (2.0, 1.0), (0.0, 2.0), (1.0, 1.0)]
 """An arrowhead of area 1."""
@@ -71,12 +72,6 @@ def write(kind: Format, points: Sequence[tuple[float, ...]], faces: Sequence[tup
     return ply(kind, {"vertex": (POSITION, list(points)), "face": (indices, [(face,) for face in faces])}), "ply"
 
 
-def areas(scene: nf.Scene) -> NDArray[np.float64]:
-    """Area vectors (T, 3) of the triangles."""
-    a, b, c = np.moveaxis(scene.triangles().astype(np.float64), 1, 0)
-    return np.asarray(np.cross(b - a, c - a) / 2)
-
-
 @pytest.mark.parametrize("kind", FORMATS)
 @pytest.mark.parametrize(("outline", "area"), [(DART, 1), (L, 3), (COMB, 8), (DART[:3], 2), (L[:3], 1)])
 def test_polygons_have_their_area_from_every_first_corner(
@@ -87,7 +82,7 @@ def test_polygons_have_their_area_from_every_first_corner(
         points = [(x, y, float(bend * random.uniform(-1, 1))) for x, y in outline]
         for first in range(len(points)):
             around = tuple((first + n) % len(points) for n in range(len(points)))
-            found = areas(load(tmp_path, *write(kind, points, [around, around[::-1]])))
+            found = area_vectors(load(tmp_path, *write(kind, points, [around, around[::-1]])))
             assert len(found) == 2 * (len(points) - 2)
             np.testing.assert_allclose(np.abs(found[:, 2]).sum(), 2 * area, rtol=1e-5)
             half = len(found) // 2
@@ -101,7 +96,7 @@ def test_triangles_quads_and_larger_faces_mix(tmp_path: Path, kind: Format) -> N
     faces: list[tuple[int, ...]] = [(12, 13, 15), tuple(range(12)), (12, 13), (15, 12, 13, 14), (0, 1, 2, 11)]
     scene = load(tmp_path, *write(kind, points, faces))
     assert scene.triangle_count == 1 + 10 + 2 + 2
-    np.testing.assert_allclose(areas(scene)[:, 2].sum(), 0.5 + 8 + 1 + 10)
+    np.testing.assert_allclose(area_vectors(scene)[:, 2].sum(), 0.5 + 8 + 1 + 10)
     assert "1 face with fewer than three corners ignored" in scene.report.notes
 
 
@@ -161,7 +156,7 @@ def test_lists_of_any_length_stand_between_other_properties(tmp_path: Path, kind
     }
     scene = load(tmp_path, ply(kind, elements))
     assert scene.triangle_count == 2 + 1 + 2
-    np.testing.assert_allclose(areas(scene)[:, 2].sum(), 2.5)
+    np.testing.assert_allclose(area_vectors(scene)[:, 2].sum(), 2.5)
     assert "1 row of element 'edge' ignored" in scene.report.notes
     assert {f"face property {name} ignored" for name in ("a", "before", "b", "c", "after")} <= set(scene.report.notes)
     if kind != "ascii":

@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar._scene.srgb import to_linear, to_srgb
-from tests.support.gltf_cases import encode
-from tests.support.meshopt_cases import COMPONENTS, Stream, attributes, glb, triangles
+from tests.support.gltf_cases import load
+from tests.support.gltf_writer import glb_of
+from tests.support.meshopt_cases import Stream, attributes, glb, triangles
 
 NAME = "EXT_mesh_gpu_instancing"
 CORNERS = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]], np.float32)
@@ -28,33 +29,12 @@ SCALES = np.array([[1, 1, 1], [2, 3, 1], [1, 2, -1]], np.float32)
 
 def document(arrays: list[NDArray[Any]], **changes: Any) -> bytes:
     """A GLB with these arrays as accessors, normalised if integers; the corners are the first one."""
-    views: list[dict[str, Any]] = []
-    accessors: list[dict[str, Any]] = []
-    binary = b""
-    for rows in [CORNERS, *arrays]:
-        views.append({"buffer": 0, "byteOffset": len(binary), "byteLength": rows.nbytes})
-        accessor = {"bufferView": len(accessors), "componentType": COMPONENTS[rows.dtype.str[1:]], "count": len(rows)}
-        accessors.append(accessor | {"type": f"VEC{rows.shape[1]}", "normalized": rows.dtype.kind != "f"})
-        binary += rows.tobytes() + bytes(-rows.nbytes % 4)
-    described: dict[str, Any] = {
-        "asset": {"version": "2.0"},
-        "extensionsRequired": [NAME],
-        "scenes": [{"nodes": [0]}],
-        "meshes": MESH,
-        "accessors": accessors,
-        "bufferViews": views,
-        "buffers": [{"byteLength": len(binary)}],
-    }
-    return encode(described | changes, binary)
+    entries: dict[str, Any] = {"extensionsRequired": [NAME], "meshes": MESH}
+    return glb_of([CORNERS, *arrays], **entries | changes)
 
 
 def node(**attributes: int) -> dict[str, Any]:
     return {"mesh": 0, "name": "tree", "extensions": {NAME: {"attributes": attributes}}}
-
-
-def load(folder: Path, content: bytes, **options: Any) -> nf.Scene:
-    (folder / "a.glb").write_bytes(content)
-    return nf.Scene.load(folder / "a.glb", **options)
 
 
 def test_instances_share_one_mesh_in_the_files_order(tmp_path: Path) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 from typing import Any
 
@@ -11,12 +10,11 @@ import pytest
 from numpy.typing import NDArray
 
 import nearfar as nf
-from tests.support.gltf_cases import encode
-from tests.support.meshopt_cases import COMPONENTS
+from tests.support.gltf_cases import decode, encode, load
+from tests.support.gltf_writer import glb_of
 
 CORNERS = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]], np.float32)
 UP = np.array([[0, 0, 1]] * 3, np.float32)
-TYPES = {1: "SCALAR", 3: "VEC3", 4: "VEC4", 16: "MAT4"}
 FIRST = np.zeros((3, 4), np.uint8)
 ONE = np.array([[1, 0, 0, 0]] * 3, np.float32)
 JOINT = {"translation": [0, 5, 0]}
@@ -24,31 +22,7 @@ JOINT = {"translation": [0, 5, 0]}
 
 def document(arrays: list[NDArray[Any]], **changes: Any) -> bytes:
     """A GLB with these arrays as accessors, normalised if signed; the corners are accessor 0, normals 1."""
-    views: list[dict[str, Any]] = []
-    accessors: list[dict[str, Any]] = []
-    binary = b""
-    for rows in [CORNERS, UP, *arrays]:
-        step = -(-rows.itemsize * rows.shape[1] // 4) * 4
-        padded = np.zeros((len(rows), step), np.uint8)
-        padded[:, : rows.itemsize * rows.shape[1]] = np.ascontiguousarray(rows).view(np.uint8)
-        views.append({"buffer": 0, "byteOffset": len(binary), "byteLength": padded.size, "byteStride": step})
-        accessor = {"bufferView": len(accessors), "componentType": COMPONENTS[rows.dtype.str[1:]], "count": len(rows)}
-        accessors.append(accessor | {"type": TYPES[rows.shape[1]], "normalized": rows.dtype.kind == "i"})
-        binary += padded.tobytes()
-    described: dict[str, Any] = {
-        "asset": {"version": "2.0"},
-        "scenes": [{"nodes": [0]}],
-        "nodes": [{"mesh": 0}],
-        "accessors": accessors,
-        "bufferViews": views,
-        "buffers": [{"byteLength": len(binary)}],
-    }
-    return encode(described | changes, binary)
-
-
-def load(folder: Path, content: bytes) -> nf.Scene:
-    (folder / "a.glb").write_bytes(content)
-    return nf.Scene.load(folder / "a.glb")
+    return glb_of([CORNERS, UP, *arrays], "i", **changes)
 
 
 def mesh(*, targets: list[dict[str, int]] | None = None, **attributes: int) -> list[dict[str, Any]]:
@@ -159,10 +133,9 @@ def test_sparse_targets_and_skins_are_applied_in_order(tmp_path: Path) -> None:
     content = document(arrays, nodes=nodes, skins=[{"joints": [1]}], meshes=meshes, scenes=[{"nodes": [0, 1]}])
     # Only the third row of the target is stored.
     sparse = {"count": 1, "indices": {"bufferView": 4, "componentType": 5123}, "values": {"bufferView": 5}}
-    text = content[20 : 20 + int.from_bytes(content[12:16], "little")]
-    described = json.loads(text)
+    described, binary = decode(content)
     described["accessors"].append({"componentType": 5126, "count": 3, "type": "VEC3", "sparse": sparse})
-    scene = load(tmp_path, encode(described, content[28 + len(text) :]))
+    scene = load(tmp_path, encode(described, binary))
     np.testing.assert_allclose(scene.triangles()[0], [[0, 0, 0], [1, 0, 0], [0, 12, 0]])
 
 

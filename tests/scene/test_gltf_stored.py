@@ -123,21 +123,6 @@ def square(primitive: dict[str, Any] | None = None, **document: Any) -> bytes:
     return writer.glb(**parts | document)
 
 
-@pytest.mark.parametrize(
-    "primitive",
-    [
-        {"material": -1},
-        {"indices": -1},
-        {"attributes": {"POSITION": 0, "NORMAL": -1}},
-        {"attributes": {"POSITION": -1}},
-    ],
-)
-def test_negative_indices_are_ignored(tmp_path: Path, primitive: dict[str, Any]) -> None:
-    (tmp_path / "a.glb").write_bytes(square(primitive))
-    with pytest.raises(SceneError, match="it refers to an item that it does not contain"):
-        nf.Scene.load(tmp_path / "a.glb")
-
-
 def test_attributes_without_a_row_for_each_vertex_are_noted(tmp_path: Path) -> None:
     """The six vertices of two primitives: the second uses three of them, as many as the normals have rows."""
     writer = Writer(np.random.default_rng(0))

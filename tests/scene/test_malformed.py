@@ -2,24 +2,24 @@
 
 from __future__ import annotations
 
-import json
-import random
 import re
 import struct
 import time
 import tracemalloc
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
-import trimesh
 from PIL import Image
 
 import nearfar as nf
 from nearfar._base import data as data_files
 from nearfar._scene.options import OnInvalid
 from tests.support import need
+from tests.support.gltf_cases import encode, triangle
+from tests.support.verdict import FOREIGN
 
 LONGEST = 2.0
 """CPU seconds allowed for any malformed file."""
@@ -50,6 +50,7 @@ def outcome(path: Path, on_invalid: OnInvalid = "raise") -> nf.Scene | nf.SceneE
         assert sentence.startswith(f"{path}: ")
         assert 5 < len(sentence) - len(str(path)) < 600
         assert "\n" not in sentence
+        assert not FOREIGN.search(sentence)
     return result
 
 
@@ -85,6 +86,36 @@ def test_messages_explain_the_defect(name: str, words: str) -> None:
     result = outcome(data_files.require(f"malformed/{name}"))
     assert isinstance(result, nf.SceneError)
     assert words in str(result)
+
+
+# trimesh guesses an encoding if charset_normalizer is installed; then the byte is a letter in place of a number.
+UNKNOWN = "its text is in an unknown encoding|a row of it has too few or too many numbers|no triangles"
+
+DAMAGED = {
+    "byte.off": (b"OFF\n3 1 0\n0 0 0\n1 0 \xff\n0 1 0\n3 0 1 2\n", "stands where a number belongs"),
+    "byte.xyz": (b"0 0 0\n1 0 \xff\n0 1 0\n", UNKNOWN),
+    "byte.stl": (b"solid a\nfacet normal 0 0 1\nvertex 0 0 \xff\n" * 9, UNKNOWN),
+    "word.off": (b"OFF\n3 1 0\n0 0 0\n1 0 abc\n0 1 0\n3 0 1 2\n", "'abc' stands where a number belongs"),
+    "count.off": (b"OFF\n3 x 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "'x' stands where a number belongs"),
+    "short.off": (b"OFF\n3 1 0\n0 0 0\n1 0\n0 1 0\n3 0 1 2\n", "a row of it has too few or too many numbers"),
+    "short.xyz": (b"0 0 0\n1 0\n0 1 0\n", "a row of it has too few or too many numbers"),
+    "type.ply": (
+        b"ply\nformat ascii 1.0\nelement vertex 1\nproperty foat x\nend_header\n0\n",
+        "its header has the unknown type 'foat'",
+    ),
+    "rows.ply": (
+        b"ply\nformat ascii 1.0\nelement vertex 18446744073709551616\nproperty list char int x\nend_header\n1 0\n0\n",
+        "its header has the line 'element vertex 18446744073709551616'",
+    ),
+    "packed.3mf": (b"PK\3\4" + b"\0" * 60, "its archive is damaged"),
+}
+
+
+@pytest.mark.parametrize("name", DAMAGED)
+def test_messages_are_about_the_file(tmp_path: Path, name: str) -> None:
+    data, words = DAMAGED[name]
+    (tmp_path / name).write_bytes(data)
+    assert re.search(words, str(outcome(tmp_path / name)))
 
 
 def test_skins_and_animations_are_reported() -> None:
@@ -146,125 +177,74 @@ def test_archives_must_be_unpacked(tmp_path: Path) -> None:
         assert re.search("is an archive|damaged", str(outcome(tmp_path / name)))
 
 
-def sample(folder: Path) -> dict[str, bytes]:
-    """Small files of every kind, one with a texture, colours and two placements of a mesh."""
-    box = trimesh.creation.box()
-    noise = np.random.default_rng(0)
-    image = Image.fromarray(noise.integers(0, 255, (16, 16, 3), np.uint8))
-    material = trimesh.visual.material.PBRMaterial(baseColorTexture=image, alphaMode="MASK")
-    uv = noise.uniform(0, 1, (8, 2))
-    textured = trimesh.Trimesh(
-        box.vertices, box.faces, visual=trimesh.visual.TextureVisuals(uv=uv, material=material), process=False
-    )
-    colored = box.copy()
-    colored.visual.vertex_colors = noise.integers(0, 255, (8, 4), np.uint8)
-    scene = trimesh.Scene()
-    scene.add_geometry(textured, node_name="a", geom_name="box")
-    scene.graph.update(frame_to="b", frame_from="world", matrix=np.diag([2.0, 2, 2, 1]), geometry="box")
-    scene.add_geometry(colored, node_name="c", geom_name="colored")
-    for name, data in scene.export(file_type="gltf").items():
-        (folder / name).write_bytes(data)
-    return {
-        "a.glb": scene.export(file_type="glb"),
-        "a.gltf": (folder / "model.gltf").read_bytes(),
-        "a.ply": colored.export(file_type="ply"),
-        "b.ply": colored.export(file_type="ply", encoding="ascii"),
-        "a.stl": box.export(file_type="stl"),
-        "b.stl": box.export(file_type="stl_ascii").encode(),
-        "a.off": box.export(file_type="off").encode(),
-        "a.obj": box.export(file_type="obj").encode(),
-    }
+POSITIONS: dict[str, Any] = {"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}
 
 
-def corrupt(data: bytes, dice: random.Random) -> bytes:
-    """Cut a file off, flip some of its bytes, or repeat a piece."""
-    if dice.random() < 0.25:
-        return data[: dice.randrange(len(data))]
-    content = bytearray(data)
-    text = all(byte < 128 for byte in data)
-    for _ in range(dice.choice([1, 1, 2, 5, 20])):
-        place = dice.randrange(len(content))
-        flips = [content[place] ^ (1 << dice.randrange(7)), ord(dice.choice('0123456789-.e,[]{}" \n'))]
-        content[place] = dice.choice(flips if text else [*flips, dice.randrange(256), 255])
-    if dice.random() < 0.2:
-        place = dice.randrange(len(content))
-        content[place:place] = content[place : place + dice.randrange(60)]
-    return bytes(content)
-
-
-def test_damaged_files_never_do_more_than_raise(tmp_path: Path) -> None:
-    kinds = {nf.Scene: 0, nf.SceneError: 0}
-    files = sample(tmp_path)
-    for name, data in files.items():
-        (tmp_path / name).write_bytes(data)
-        assert isinstance(outcome(tmp_path / name), nf.Scene)
-    tracemalloc.start()
-    for name, data in files.items():
-        for seed in range(30):
-            dice = random.Random(f"{name} {seed}")
-            (tmp_path / name).write_bytes(corrupt(data, dice))
-            kinds[type(outcome(tmp_path / name, dice.choice(["raise", "drop"])))] += 1
-    peak = tracemalloc.get_traced_memory()[1]
-    tracemalloc.stop()
-    # Each file has a few kilobytes; readers may use little memory, not the amount that a changed count claims.
-    assert peak < 300e6
-    assert min(kinds.values()) > 20  # The damage is neither always fatal nor always harmless.
-
-
-def glb(header: object, binary: bytes = b"") -> bytes:
-    text = json.dumps(header).encode()
-    text += b" " * (-len(text) % 4)
-    chunks = struct.pack("<II", len(text), 0x4E4F534A) + text + struct.pack("<II", len(binary), 0x004E4942) + binary
-    return struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks
-
-
-def triangle(**changes: object) -> bytes:
-    """A GLB of one triangle, with some entries of its header replaced."""
-    corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]], np.float32).tobytes()
-    header: dict[str, object] = {
-        "asset": {"version": "2.0"},
-        "buffers": [{"byteLength": len(corners)}],
-        "bufferViews": [{"buffer": 0, "byteLength": len(corners)}],
-        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
-        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
-        "nodes": [{"mesh": 0, "name": "thing"}],
-        "scenes": [{"nodes": [0]}],
-    }
-    return glb(header | changes, corners)
-
-
-def accessor(**changes: object) -> list[dict[str, object]]:
-    return [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"} | changes]
+def primitive(**changes: Any) -> bytes:
+    return triangle(meshes=[{"primitives": [{"attributes": {"POSITION": 0}} | changes]}])
 
 
 @pytest.mark.parametrize(
     ("data", "words"),
     [
-        (triangle(accessors=accessor(count=10**12)), "does not contain"),
+        (triangle(accessors=[POSITIONS | {"count": 10**12}]), "does not contain"),
         (triangle(accessors=[{"componentType": 5126, "count": 10**12, "type": "VEC3"}]), "unpacks to more than"),
-        (triangle(accessors=accessor(count=-3)), "does not contain"),
+        (triangle(accessors=[POSITIONS | {"count": -3}]), "does not contain"),
         # A negative index counts from the end in Python.
         (
-            triangle(bufferViews=[{"buffer": 0, "byteOffset": -24, "byteLength": 12}], accessors=accessor(count=1)),
+            triangle(
+                bufferViews=[{"buffer": 0, "byteOffset": -24, "byteLength": 12}], accessors=[POSITIONS | {"count": 1}]
+            ),
             "does not contain",
         ),
         (triangle(extensionsRequired=["ACME_gizmo"]), "needs the extension ACME_gizmo, which is not read"),
         (triangle(nodes=[{"mesh": 0, "name": "thing", "scale": [1e300, 1, 1]}]), r"numbers up to 1e\+30"),
         (triangle(nodes=[{"mesh": 0, "name": "thing", "translation": [float("nan"), 0, 0]}]), "at node 'thing'"),
         (triangle(nodes=[{"mesh": 0, "name": "thing", "matrix": [1.0] * 16}]), "at node 'thing'"),
+        (triangle(nodes=[{"mesh": -1}]), "does not contain"),
         (triangle(nodes=[{"mesh": 7}]), "no triangles|not contain|entry"),
+        (triangle(nodes=[{"mesh": 0, "children": [-1]}]), "does not contain"),
+        (triangle(scenes=[{"nodes": [-1]}]), "does not contain"),
         (triangle(scenes=[{"nodes": [9]}]), "not contain|entry"),
+        (triangle(scene=1), "does not contain"),
+        (primitive(material=-1), "does not contain"),
+        (primitive(indices=-1), "does not contain"),
+        (primitive(attributes={"POSITION": -1}), "does not contain"),
+        (primitive(attributes={"POSITION": 0, "NORMAL": -1}), "does not contain"),
+        (primitive(attributes={}), "no triangles; 1 primitive without POSITION ignored"),
+        (triangle(nodes=[{"mesh": 0, "translation": [0, 1]}]), "3 numbers as translation"),
+        (triangle(nodes=[{"mesh": 0, "scale": ["a", 1, 1]}]), "3 numbers as scale"),
+        (triangle(nodes=[{"mesh": 0, "rotation": 10**400}]), "4 numbers as rotation"),
+        # Nodes that are no trees, whose meshes would be drawn twice or endlessly.
+        (triangle(nodes=[{"mesh": 0, "children": [0]}]), "node 0 is a child of itself"),
+        (
+            triangle(nodes=[{"mesh": 0, "children": [1]}, {"mesh": 0, "children": [0]}]),
+            "scene 0 lists node 0, .* child of node 1",
+        ),
+        (
+            triangle(nodes=[{"children": [1, 1]}, {"mesh": 0}]),
+            "node 1 is a child of node 0 and again of node 0",
+        ),
+        (
+            triangle(nodes=[{"children": [2]}, {"children": [2]}, {"mesh": 0}], scenes=[{"nodes": [0, 1]}]),
+            "node 2 is a child of node 0 and again of node",
+        ),
+        (
+            triangle(nodes=[{"children": [1]}, {"mesh": 0}], scenes=[{"nodes": [0, 1]}]),
+            "scene 0 lists node 1, which is a child of node 0",
+        ),
         (triangle(nodes=[{"mesh": False}]), "not contain|entry|wrong type"),
-        (triangle(accessors=accessor(componentType=5555)), "accessors have the unknown type 5555"),
-        (triangle(accessors=accessor(type="X\nY" * 300)), "lacks an entry that it needs"),
+        (triangle(accessors=[POSITIONS | {"componentType": 5555}]), "accessors have the unknown type 5555"),
+        (triangle(accessors=[POSITIONS | {"type": "X\nY" * 300}]), "lacks an entry that it needs"),
+        (triangle(asset={"version": "1.0"}), "only glTF 2 is read"),
         (triangle(asset={"version": "3\n4" * 300}), "only glTF 2 is read|glTF 3"),
         (triangle(extensionsRequired=["A\nB" * 300]), "needs the extension A B"),
         (triangle(nodes=[{"mesh": 0, "name": "a\nb" * 300, "scale": [float("nan"), 1, 1]}]), r"at node 'a\\nb"),
         (triangle(nodes=[{"mesh": 0, "name": "\ud800"}]), "a string in it contains a lone surrogate"),
-        (triangle(meshes=[{"primitives": [{"attributes": {"POSITION": 0}, "mode": 3}]}]), "; 1 line primitive ignored"),
+        (primitive(mode=3), "; 1 line primitive ignored"),
         (triangle(buffers=[{"byteLength": 36, "uri": "gone.bin"}]), "refers to cannot be read"),
         (triangle()[:-4], "cannot be read"),
-        (glb([]), "its JSON is not an object"),
+        (encode([], b""), "its JSON is not an object"),
         (b"glTF" + struct.pack("<II", 1, 99) + bytes(40), "does not begin like a GLB of version 2"),
     ],
 )
@@ -277,21 +257,12 @@ def test_broken_gltf_is_explained(tmp_path: Path, data: bytes, words: str) -> No
     assert len(str(result).encode()) < 400 + len(str(tmp_path))
 
 
-@pytest.mark.parametrize("children", [[0], [1, 1]], ids=["circle", "self"])
-def test_cyclic_nodes_are_errors(tmp_path: Path, children: list[int]) -> None:
-    nodes = [{"name": "root", "children": [1]}, {"name": "thing", "mesh": 0, "children": children}]
+def test_loops_that_no_scene_reaches_are_not_drawn(tmp_path: Path) -> None:
+    nodes = [{"mesh": 0}, {"mesh": 0, "children": [2]}, {"mesh": 0, "children": [1]}]
     (tmp_path / "a.glb").write_bytes(triangle(nodes=nodes))
-    outcome(tmp_path / "a.glb")
-
-
-def test_a_deep_chain_of_nodes_loads(tmp_path: Path) -> None:
-    nodes: list[dict[str, object]] = [
-        {"name": str(k), "children": [k + 1], "translation": [1, 0, 0]} for k in range(5000)
-    ]
-    (tmp_path / "a.glb").write_bytes(triangle(nodes=[*nodes, {"name": "leaf", "mesh": 0}]))
     result = outcome(tmp_path / "a.glb")
     assert isinstance(result, nf.Scene)
-    assert result.bounds[0, 0] == 5000
+    assert result.triangle_count == 1
 
 
 def test_cameras_and_skipped_meshes_do_not_misplace_their_children(tmp_path: Path) -> None:

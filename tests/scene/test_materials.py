@@ -5,7 +5,6 @@ from __future__ import annotations
 import io
 import json
 import struct
-from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -13,19 +12,16 @@ from typing import Any
 import numpy as np
 import pytest
 import trimesh
-from numpy.typing import NDArray
 from PIL import Image
 
 import nearfar as nf
-from nearfar._base import data as data_files, glb
+from nearfar._base import glb
 from nearfar._scene import load
 from nearfar._scene.budget import Budget
-from nearfar._scene.builder import SceneBuilder
 from nearfar._scene.content import Content, Shape
 from nearfar._scene.gltf import document
 from nearfar._scene.materials import BaseColor, colors_of
 from nearfar._scene.srgb import to_linear, to_srgb
-from tests.support import need
 from tests.support.gltf_cases import gltf, picture as gltf_picture, texels
 
 PBR = trimesh.visual.material.PBRMaterial
@@ -152,12 +148,6 @@ def test_cutoffs_beyond_float32_cut_everything(tmp_path: Path) -> None:
     assert nf.Scene.load(tmp_path / "box.glb").triangle_count == 12
 
 
-def test_blending_is_drawn_opaque_and_reported(tmp_path: Path) -> None:
-    textured_box(PBR(baseColorTexture=picture(), alphaMode="BLEND")).export(tmp_path / "glass.glb")
-    assert shape_of(tmp_path / "glass.glb").materials[0].cutoff is None
-    assert "1 material with blending drawn opaque" in nf.Scene.load(tmp_path / "glass.glb").report.notes
-
-
 def test_vertex_colours_of_gltf_are_linear_and_those_of_ply_srgb(tmp_path: Path) -> None:
     box = trimesh.creation.box()
     colors = np.random.default_rng(2).integers(0, 256, (8, 4), np.uint8)
@@ -273,31 +263,7 @@ def test_a_damaged_image_is_reported(tmp_path: Path) -> None:
     assert "1 material with an unreadable texture drawn without it" in report.notes
 
 
-def test_the_helmet_has_its_textures() -> None:
-    need("data")
-    report = nf.Scene.load(data_files.require("objects/gltf/FlightHelmet/FlightHelmet.gltf")).report
-    assert (report.textures, report.materials) == (5, 6)
-    assert "1 material with blending drawn opaque" in report.notes
-
-
 def test_sources_without_materials_are_light_grey(tmp_path: Path) -> None:
     trimesh.creation.box().export(tmp_path / "a.stl")
     assert shape_of(tmp_path / "a.stl").materials == []
     assert BaseColor().factor == (1, 1, 1, 1)
-
-
-def test_wrong_materials_are_refused() -> None:
-    builder = SceneBuilder()
-    corners, face = np.eye(3, dtype=np.float32), np.array([[0, 1, 2]])
-    wrong: NDArray[np.uint8] = np.zeros((2, 2, 3), np.uint8)
-    wrong_calls: dict[str, Callable[[], object]] = {
-        "base_color: expected linear RGBA": lambda: builder.material((2, 0, 0, 1)),
-        "texture: expected a uint8 image": lambda: builder.material(texture=wrong),
-        "material: expected a whole number from 0 to 0, got 1": lambda: builder.mesh(corners, face, material=1),
-        "material: expected one number for each of 1 faces": lambda: builder.mesh(corners, face, material=[0, 0]),
-        "uvs: expected one row for each of 3 vertices": lambda: builder.mesh(corners, face, uvs=np.zeros((2, 2))),
-        "colors: expected shape": lambda: builder.mesh(corners, face, colors=np.zeros((2, 4), np.uint8)),
-    }
-    for words, call in wrong_calls.items():
-        with pytest.raises(ValueError, match=words):
-            call()

@@ -19,7 +19,7 @@ from nearfar._scene.builder import SceneBuilder
 from nearfar._scene.content import Shape
 from nearfar._scene.names import Names
 from tests.support import data
-from tests.support.normal_cases import TURN, Array, ball, camera, colors, scene_of
+from tests.support.normal_cases import TURN, ball, camera, colors, scene_of
 
 
 def parts_of(scene: nf.Scene) -> list[dict[str, Any]]:
@@ -41,19 +41,6 @@ def test_unit_normals_are_borrowed_and_others_normalised() -> None:
     np.testing.assert_allclose(parts["normals"], expected, atol=1e-7)
     (flat,) = parts_of(scene_of(vertices, faces, None))
     assert flat["normals"] is None
-
-
-@pytest.mark.parametrize(
-    ("normals", "words"),
-    [
-        (np.zeros((41, 3)), r"normals: expected shape \(42, 3\), one row for each vertex, got \(41, 3\)"),
-        (np.full((42, 3), np.nan), "normals: expected finite coordinates, got 42 normals with NaN or infinity"),
-    ],
-)
-def test_normals_that_do_not_fit_are_refused(normals: Array, words: str) -> None:
-    vertices, faces = ball()
-    with pytest.raises(ValueError, match=words):
-        SceneBuilder().mesh(vertices, faces, normals=normals)
 
 
 def test_kernels_refuse_normals_of_other_vertices() -> None:

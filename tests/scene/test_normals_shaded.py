@@ -121,14 +121,6 @@ def test_poses_rotate_stretch_and_mirror_normals() -> None:
         check(scene.at({"ball 0": place}), [to_world(vertices, faces, vertices.astype(float), place)], camera())
 
 
-def test_merged_meshes_are_shaded_like_instances() -> None:
-    vertices, faces = ball()
-    for name, place in PLACES.items():
-        merged, instance = (scene_of(vertices, faces, vertices, place, dynamic=dynamic) for dynamic in (False, True))
-        # At pixels on edges rounding decides between faces, whose colours are equal there.
-        np.testing.assert_allclose(colors(instance), colors(merged), atol=2e-5, err_msg=name)
-
-
 def test_a_part_of_a_scene_keeps_its_normals() -> None:
     vertices, faces = ball(2)
     scene = scene_of(vertices, faces, vertices)

@@ -172,13 +172,3 @@ def _row(count: int) -> np.ndarray:
     places = np.tile(np.eye(4), (count, 1, 1))
     places[:, 0, 3] = 3.0 * np.arange(count)
     return places
-
-
-def test_pictures_of_a_part_equal_those_of_its_triangles() -> None:
-    scene = soup()
-    camera = nf.Camera.look_at((0, 0, 30), (0, 0, 0), fov=nf.Fov.symmetric(40), size=(96, 96))
-    aabb = [[-4, -4, -4], [4, 4, 4]]
-    part = nf.render(scene.query(aabb), camera)
-    expected = nf.render(scene.subset(triangles=touching(scene, aabb)), camera)
-    for channel in ("color", "range", "object_id"):
-        assert np.array_equal(getattr(part, channel), getattr(expected, channel)), channel

@@ -14,12 +14,9 @@ from numpy.typing import NDArray
 from PIL import Image
 
 import nearfar as nf
-from nearfar._scene.srgb import to_srgb
-from tests.support import need
-from tests.support.gltf_cases import decode
+from tests.support.gltf_cases import decode, load
 from tests.support.gltf_writer import Writer
 from tests.support.gpu_cases import ADAPTERS, adapter
-from tests.support.reader_cases import in_browser
 from tests.support.render_cases import noise
 from tests.support.render_oracle import linear_from_srgb
 
@@ -101,11 +98,6 @@ GLOWING: dict[str, Any] = {
 
 def sampler(codes: tuple[int, int, int]) -> dict[str, int]:
     return {"wrapS": codes[0], "wrapT": codes[1], "magFilter": codes[2], "minFilter": 9985}
-
-
-def load(folder: Path, data: bytes) -> nf.Scene:
-    (folder / "a.glb").write_bytes(data)
-    return nf.Scene.load(folder / "a.glb")
 
 
 def picture(scene: nf.Scene, backend: Any = "cpu", size: int = SIZE) -> NDArray[np.float32]:
@@ -196,22 +188,3 @@ def test_wavefront_clamps(tmp_path: Path) -> None:
         nf.lod.export(scene, tmp_path / "a.glb", view=FOV)
         for written in (scene, nf.Scene.load(tmp_path / "a.glb")):
             assert nf._core.scene_parts(written._core)["texture_samplers"].tolist() == [[wrap, wrap, LINEAR]]
-
-
-@pytest.mark.slow
-def test_three_js_draws_the_same_pictures_of_exported_bundles(tmp_path: Path) -> None:
-    need("browser")
-    used = [(CLAMP, MIRROR, NEAREST), (MIRROR, CLAMP, LINEAR), (REPEAT, CLAMP, LINEAR), (REPEAT, REPEAT, NEAREST)]
-    bundles = {"-".join(map(str, codes)): tmp_path / str(number) for number, codes in enumerate(used)}
-    for folder, codes in zip(bundles.values(), used, strict=True):
-        scene = load(tmp_path, square([UNLIT], [sampler(codes)]))
-        nf.stream.export(scene, folder, center=(0, 0, 0), radii=(5.0,), face_size=64, quality=None)
-    view = {"eye": (0, 0, 0), "target": (0, 0, -1), "size": (SIZE, SIZE), "angle": 90.0}
-    (tmp_path / "browser").mkdir()
-    shown = in_browser(bundles, dict.fromkeys(bundles, view), tmp_path / "browser")
-    for name, codes in zip(bundles, used, strict=True):
-        data = base64.b64decode(shown[name]["pictures"]["color"].partition(",")[2])
-        seen = np.asarray(Image.open(io.BytesIO(data)).convert("RGB")).astype(int)
-        wanted = np.rint(255 * to_srgb(expected(codes))).astype(int)
-        # GPUs filter with weights in steps of 1/256, and convert to sRGB by a formula of their own.
-        assert (np.abs(seen - wanted) <= 3).mean() > 0.99, name

@@ -12,15 +12,10 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar._scene.builder import SceneBuilder
+from tests.support.reduce_cases import place as shift
 
 TRIANGLE = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]], np.float32)
 FACE = np.array([[0, 1, 2]], np.uint32)
-
-
-def shift(x: float = 0.0, y: float = 0.0, z: float = 0.0) -> NDArray[np.float64]:
-    matrix = np.eye(4)
-    matrix[:3, 3] = x, y, z
-    return matrix
 
 
 def turn(angle: float) -> NDArray[np.float64]:
@@ -138,11 +133,6 @@ def test_scenes_made_from_a_scene_share_meshes_and_trees() -> None:
 def test_invalid_calls_of_scenes_are_errors(call: Callable[[nf.Scene], object], words: str) -> None:
     with pytest.raises(ValueError, match=words):
         call(street()[0].build(["car"]))
-
-
-def test_names_are_strings() -> None:
-    with pytest.raises(ValueError, match="object_names: expected distinct names, got 1 repetitions"):
-        nf.Scene.from_arrays(TRIANGLE, FACE, [0], object_names=["wall", "wall"])
 
 
 @given(st.data())

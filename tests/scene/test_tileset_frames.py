@@ -8,31 +8,6 @@ import pytest
 from nearfar._scene import frames
 from nearfar._scene.frames import earth_centred
 from nearfar._scene.tileset import volumes
-from tests.support import need
-
-
-def radians(places: np.ndarray) -> np.ndarray:
-    return np.column_stack([np.radians(places[:, :2]), places[:, 2]])
-
-
-def test_a_local_frame_equals_proj() -> None:
-    need("pyproj")
-    import pyproj
-
-    longitude, latitude, height = 139.767, 35.681, 40.0
-    pipeline = (
-        "+proj=pipeline +step +proj=cart +ellps=WGS84 +step +proj=topocentric +ellps=WGS84 "
-        f"+lon_0={longitude} +lat_0={latitude} +h_0={height}"
-    )
-    places = np.array([longitude, latitude, height]) + np.random.default_rng(1).uniform(-0.2, 0.2, (50, 3)) * (
-        1,
-        1,
-        500,
-    )
-    east, north, up = pyproj.Transformer.from_pipeline(pipeline).transform(*places.T)
-    frame = frames.local((longitude, latitude, height))
-    found = earth_centred(radians(places)) @ frame.to_scene[:3, :3].T + frame.to_scene[:3, 3]
-    np.testing.assert_allclose(found, np.column_stack([east, up, -north]), rtol=0, atol=1e-8)
 
 
 def test_an_explicit_default_frame_changes_nothing() -> None:

@@ -17,6 +17,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 import nearfar as nf
+from tests.attack import mutate
 from tests.support import PEAK, need
 from tests.support.tile_cases import (
     LONGEST,
@@ -174,28 +175,6 @@ def test_a_valid_tileset_loads(tmp_path: Path) -> None:
     assert not any("left out" in note for note in scene.report.notes)
 
 
-def mutated(data: bytes, chance: random.Random) -> bytes:
-    """A file with some bytes changed, cut, doubled or replaced by extreme numbers."""
-    for _ in range(chance.randint(1, 4)):
-        at = chance.randrange(len(data) + 1)
-        match chance.randrange(5):
-            case 0:
-                data = data[:at]
-            case 1:
-                data = data[:at] + bytes([chance.randrange(256)]) + data[at + 1 :]
-            case 2:
-                data = (
-                    data[:at]
-                    + chance.choice((b"\xff" * 4, b"\0" * 4, b"-1", b"1e309", b"[]", b"null"))
-                    + data[at + 4 :]
-                )
-            case 3:
-                data = data[:at] + data[max(0, at - 40) : at] + data[at:]
-            case _:
-                data = data[:at] + data[at + chance.randrange(1, 9) :]
-    return data
-
-
 @pytest.mark.slow
 @given(seed=st.integers(0, 2**32 - 1))
 @settings(max_examples=300)
@@ -204,7 +183,7 @@ def test_any_mutation_gives_a_scene_or_a_message(tmp_path_factory: pytest.TempPa
     folder = tmp_path_factory.getbasetemp() / "mutated"
     files = sound(folder)
     name = chance.choice(list(files))
-    path = write(folder, files | {name: mutated(files[name], chance)})
+    path = write(folder, files | {name: mutate.damaged(files[name], chance)})
     start = time.process_time()
     for how in ({}, {"triangles": 50}, {"on_invalid": "drop", "error": 1}):
         sentence = ""

@@ -116,7 +116,8 @@ def test_boxes_of_another_type_are_refused(changes: dict[str, Any], words: str, 
 
 
 @given(st.lists(st.booleans(), min_size=1, max_size=100))
-def test_bits_are_counted(values: list[bool]) -> None:
+def test_bits_are_decoded_and_counted(values: list[bool]) -> None:
     stored = Bits(len(values), bits(values))
+    assert [stored.bit(n) for n in range(len(values))] == stored.unpack().tolist() == values
     assert [stored.rank(n) for n in range(len(values) + 1)] == [sum(values[:n]) for n in range(len(values) + 1)]
     assert [Bits(9, None, constant).rank(5) for constant in (False, True)] == [0, 5]

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import functools
-import http.server
-import threading
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -12,8 +9,8 @@ import numpy as np
 import pytest
 
 import nearfar as nf
-from nearfar._base import cache
 from tests.support import need
+from tests.support.range_server import RangeHandler, Served, serve_folder
 from tests.support.tile_cases import b3dm, glb, instanced, levels, tile, tileset, write
 
 need("fsspec")
@@ -22,48 +19,28 @@ need("aiohttp")
 CUBE = b3dm(glb())
 
 
-class Served:
-    """A folder behind a URL, and the requests for it."""
-
-    def __init__(self, folder: Path, url: str, asked: list[str]) -> None:
-        self.folder, self.url, self.asked = folder, url, asked
-
-    def gets(self) -> list[str]:
-        """Paths that were read since the last call, sorted."""
-        found = sorted(line.split()[1] for line in self.asked if line.startswith("GET"))
-        self.asked.clear()
-        return found
+class Broken(RangeHandler):
+    def do_GET(self) -> None:  # noqa: N802 - the base class's name
+        if self.path.startswith("/broken"):
+            self.send_error(500)
+        else:
+            super().do_GET()
 
 
 @pytest.fixture
 def served(tmp_path: Path) -> Iterator[Served]:
-    asked: list[str] = []
-
-    class Handler(http.server.SimpleHTTPRequestHandler):
-        def log_request(self, code: object = "-", size: object = "-") -> None:
-            asked.append(self.requestline)
-
-        def log_error(self, *args: object) -> None:
-            """Print nothing."""
-
-        def do_GET(self) -> None:
-            if self.path.startswith("/broken"):
-                self.send_response(500)
-                self.send_header("Content-Length", "0")
-                self.end_headers()
-            else:
-                super().do_GET()
-
-    handler = functools.partial(Handler, directory=str(tmp_path))
-    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
-        thread = threading.Thread(target=server.serve_forever, daemon=True)
-        thread.start()
-        yield Served(tmp_path, f"http://127.0.0.1:{server.server_port}", asked)
-        server.shutdown()
-        thread.join()
+    with serve_folder(tmp_path, Broken) as server:
+        yield server
 
 
-def test_a_tileset_at_a_url(served: Served) -> None:
+def gets(served: Served) -> list[str]:
+    """Paths that were read since the last call, sorted."""
+    found = sorted(path for method, path, _ in served.answers.elements() if method == "GET")
+    served.answers.clear()
+    return found
+
+
+def test_a_tileset_at_a_url(tmp_path: Path, served: Served) -> None:
     files = {
         "a/tileset.json": tileset(tile(9.0, "b/inner.json", children=[tile(0.0, "../trees%20here.i3dm?v=1")])),
         "a/b/inner.json": tileset(tile(0.0, "/root.b3dm")),
@@ -71,42 +48,42 @@ def test_a_tileset_at_a_url(served: Served) -> None:
         "box.glb": glb(),
         "root.b3dm": CUBE,
     }
-    write(served.folder, files)
-    scene = nf.Scene.load(f"{served.url}/a/tileset.json?key=secret")
+    write(tmp_path, files)
+    scene = nf.Scene.load(f"{served.url}a/tileset.json?key=secret")
     assert scene.triangle_count == 36
     assert set(scene.object_names) == {"../root", "../trees here/0", "../trees here/1"}
-    expected = ["/a/b/inner.json", "/a/tileset.json?key=secret", "/box.glb", "/root.b3dm", "/trees%20here.i3dm?v=1"]
-    assert served.gets() == expected
+    expected = ["a/b/inner.json", "a/tileset.json?key=secret", "box.glb", "root.b3dm", "trees%20here.i3dm?v=1"]
+    assert gets(served) == expected
     # An unchanged file is not read again.
-    assert nf.Scene.load(f"{served.url}/a/tileset.json?key=secret").triangle_count == 36
-    assert served.gets() == []
-    (served.folder / "root.b3dm").write_bytes(b3dm(glb(np.eye(3), [[0, 1, 2]])) + bytes(7))
-    assert nf.Scene.load(f"{served.url}/a/tileset.json?key=secret").triangle_count == 25
-    assert served.gets() == ["/root.b3dm"]
+    assert nf.Scene.load(f"{served.url}a/tileset.json?key=secret").triangle_count == 36
+    assert gets(served) == []
+    (tmp_path / "root.b3dm").write_bytes(b3dm(glb(np.eye(3), [[0, 1, 2]])) + bytes(7))
+    assert nf.Scene.load(f"{served.url}a/tileset.json?key=secret").triangle_count == 25
+    assert gets(served) == ["root.b3dm"]
 
 
-def test_detail_decides_what_is_read(served: Served) -> None:
+def test_detail_decides_what_is_read(tmp_path: Path, served: Served) -> None:
     files = {"t.json": tileset(levels(2, lambda _, key: f"t{key}.b3dm"))}
     files |= {f"t{key}.b3dm": CUBE for key in ("", *"0123", *(f"{a}{b}" for a in "0123" for b in "0123"))}
-    write(served.folder, files)
-    assert nf.Scene.load(f"{served.url}/t.json", error=32).triangle_count == 48
-    assert served.gets() == ["/t.json", "/t0.b3dm", "/t1.b3dm", "/t2.b3dm", "/t3.b3dm"]
-    assert nf.Scene.load(f"{served.url}/t.json", triangles=12 * 7).triangle_count == 12 * 7
-    assert nf.Scene.load(f"{served.url}/t2.b3dm").triangle_count == 12
+    write(tmp_path, files)
+    assert nf.Scene.load(f"{served.url}t.json", error=32).triangle_count == 48
+    assert gets(served) == ["t.json", "t0.b3dm", "t1.b3dm", "t2.b3dm", "t3.b3dm"]
+    assert nf.Scene.load(f"{served.url}t.json", triangles=12 * 7).triangle_count == 12 * 7
+    assert nf.Scene.load(f"{served.url}t2.b3dm").triangle_count == 12
 
 
-def test_missing_files_and_servers(served: Served) -> None:
+def test_missing_files_and_servers(tmp_path: Path, served: Served) -> None:
     write(
-        served.folder,
+        tmp_path,
         {"t.json": tileset(tile(9.0, "a.b3dm", children=[tile(0.0, "no.b3dm"), tile(0, "no.json")])), "a.b3dm": CUBE},
     )
-    scene = nf.Scene.load(f"{served.url}/t.json")
+    scene = nf.Scene.load(f"{served.url}t.json")
     assert any("no.b3dm is missing" in note and "no.json is missing" in note for note in scene.report.notes)
     with pytest.raises(FileNotFoundError, match=r"nowhere\.json"):
-        nf.Scene.load(f"{served.url}/nowhere.json")
-    write(served.folder, {"u.json": tileset(tile(9.0, "broken.b3dm"))})
+        nf.Scene.load(f"{served.url}nowhere.json")
+    write(tmp_path, {"u.json": tileset(tile(9.0, "broken.b3dm"))})
     with pytest.raises((OSError, nf.SceneError), match=r"broken\.b3dm"):
-        nf.Scene.load(f"{served.url}/u.json")
+        nf.Scene.load(f"{served.url}u.json")
     with pytest.raises(OSError, match=r"t\.json"):
         nf.Scene.load("http://127.0.0.1:9/t.json")
 
@@ -114,27 +91,12 @@ def test_missing_files_and_servers(served: Served) -> None:
 @pytest.mark.parametrize(
     "uri", ["http://127.0.0.1:1/a.b3dm", "//localhost/a.b3dm", "https://127.0.0.1/a.b3dm", "file:///etc/passwd"]
 )
-def test_other_origins_are_refused(served: Served, uri: str) -> None:
-    write(served.folder, {"t.json": tileset(tile(9.0, uri))})
+def test_other_origins_are_refused(tmp_path: Path, served: Served, uri: str) -> None:
+    write(tmp_path, {"t.json": tileset(tile(9.0, uri))})
     with pytest.raises(nf.SceneError, match=r"t\.json: it refers to .* which lies at another origin"):
-        nf.Scene.load(f"{served.url}/t.json")
+        nf.Scene.load(f"{served.url}t.json")
 
 
-def test_other_files_at_urls_are_refused(served: Served) -> None:
+def test_other_files_at_urls_are_refused(tmp_path: Path, served: Served) -> None:
     with pytest.raises(nf.SceneError, match=r"a\.glb: only 3D Tiles are read from URLs"):
-        nf.Scene.load(f"{served.url}/a.glb")
-
-
-def test_a_full_cache_evicts_the_least_recently_used_files(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    monkeypatch.setenv("NEARFAR_CACHE", str(tmp_path / "kept"))
-    monkeypatch.setenv("NEARFAR_CACHE_MAX_GB", "1e-5")  # 10,000 bytes.
-
-    def fill(path: Path) -> None:
-        path.write_bytes(bytes(900))
-
-    for number in range(60):
-        cache.keep(cache.key(number), ".x", fill)
-        held = sum(path.stat().st_size for path in (tmp_path / "kept").glob("*/*"))
-        assert held <= 10_000 + 10_000 // 64 + 900
-    assert cache.find(cache.key(59), ".x") is not None
-    assert cache.find(cache.key(30), ".x") is None
+        nf.Scene.load(f"{served.url}a.glb")

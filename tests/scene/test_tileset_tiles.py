@@ -8,12 +8,10 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given, strategies as st
 
 import nearfar as nf
-from nearfar._scene.tileset import subtree as subtrees
 from nearfar._scene.tileset.tileset import Tileset
-from tests.support.tile_cases import b3dm, bits, box, glb, levels, subtree, tile, tileset, write
+from tests.support.tile_cases import b3dm, box, glb, levels, subtree, tile, tileset, write
 
 CUBE = b3dm(glb())
 
@@ -196,12 +194,6 @@ def test_implicit_trees_of_several_subtrees(tmp_path: Path, scheme: str, binary:
             return all(c * size <= h and (c + 1) * size >= lo for c, lo, h in zip(cell[1:], low, high, strict=False))
 
         assert found == {"c/" + "/".join(map(str, cell)) for cell in full if meets(cell)}
-
-
-@given(st.lists(st.booleans(), min_size=1, max_size=200))
-def test_bits_are_decoded(values: list[bool]) -> None:
-    read = subtrees.Bits(len(values), bits(values))
-    assert [read.bit(n) for n in range(len(values))] == read.unpack().tolist() == values
 
 
 def test_regions_of_implicit_tiles_hold_their_content() -> None:

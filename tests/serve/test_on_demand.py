@@ -15,6 +15,7 @@ import pytest
 import nearfar as nf
 from nearfar.serve._server import Server
 from nearfar.serve._site import LoadedScene, Site
+from tests.support.asking import ask
 
 SETTINGS: dict[str, Any] = {"grid": 2.0, "radii": (10.0, 22.0), "face_size": 576, "samples": 1}
 
@@ -33,18 +34,8 @@ def server(scene: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> Iterato
         yield running
 
 
-def ask(server: Server, path: str, source: str = "127.0.0.1") -> tuple[int, bytes]:
-    connection = http.client.HTTPConnection(urlsplit(server.url).netloc, timeout=300, source_address=(source, 0))
-    try:
-        connection.request("GET", path)
-        answer = connection.getresponse()
-        return answer.status, answer.read()
-    finally:
-        connection.close()
-
-
 def parts(server: Server, place: str, source: str = "127.0.0.1") -> list[dict[str, Any]]:
-    status, content = ask(server, f"/city/at/{place}/parts", source)
+    status, _, content = ask(server, f"/city/at/{place}/parts", source=source)
     assert status == 200
     return [json.loads(line) for line in content.splitlines()]
 
@@ -55,12 +46,12 @@ def test_announced_parts_have_files(server: Server) -> None:
         *[("begin", None), ("ring", 0), ("ring", 1), ("ring", 2)] * 2,
         ("end", None),
     ]
-    whole = json.loads(ask(server, "/city/at/4,1.75,-2/manifest.json")[1])
+    whole = json.loads(ask(server, "/city/at/4,1.75,-2/manifest.json")[2])
     # Coarse maps remain available for slow clients even when full ones exist.
     coarse = {name: entry for line in told if line.get("stage") == 0 for name, entry in line["files"].items()}
     assert coarse.keys() - whole["files"].keys()
     for name, described in {**coarse, **whole["files"]}.items():
-        status, content = ask(server, f"/city/{name}")
+        status, _, content = ask(server, f"/city/{name}")
         assert (status, len(content)) == (200, described["bytes"])
 
 
@@ -134,7 +125,7 @@ def test_other_paths_are_refused(server: Server, path: str, status: int) -> None
 def test_a_place_that_cannot_be_made_is_reported_in_a_sentence(scene: nf.Scene) -> None:
     settings = {name: value for name, value in SETTINGS.items() if name != "radii"}
     with Server({"": Site.of_scene(LoadedScene(lambda: scene, **settings), None)}) as server:
-        status, content = ask(server, "/at/90000,1.75,0/parts")
+        status, _, content = ask(server, "/at/90000,1.75,0/parts")
         assert status == 200
         told = [json.loads(line) for line in content.splitlines()][-1]
         assert told["event"] == "failed"
@@ -152,6 +143,6 @@ def test_a_client_may_wait_for_a_few_places_only(scene: nf.Scene) -> None:
         # Connections are served concurrently.
         assert sorted(line.getresponse().status for line in lines) == [200] * 4 + [429] * 2
         # Other clients are served meanwhile.
-        assert ask(server, "/", "127.0.0.2")[0] == 200
+        assert ask(server, "/", source="127.0.0.2")[0] == 200
         for line in lines:
             line.close()

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import http.client
 import json
 import threading
 from pathlib import Path
 from typing import Any
-from urllib.parse import urlsplit
 
 import numpy as np
 import pytest
@@ -17,18 +15,9 @@ from nearfar._trace import viewpoint
 from nearfar.serve._server import Server
 from nearfar.serve._site import LoadedScene, Site
 from tests.support import valid
+from tests.support.asking import ask
 
 SETTINGS: dict[str, Any] = {"grid": 2.0, "radii": (4.0, 8.0), "face_size": 64, "samples": 1}
-
-
-def ask(server: Server, path: str) -> tuple[int, dict[str, str], bytes]:
-    connection = http.client.HTTPConnection(urlsplit(server.url).netloc, timeout=60)
-    try:
-        connection.request("GET", path)
-        answer = connection.getresponse()
-        return answer.status, {name.lower(): value for name, value in answer.getheaders()}, answer.read()
-    finally:
-        connection.close()
 
 
 def document(server: Server, site: str = "") -> dict[str, Any]:

@@ -13,6 +13,7 @@ from nearfar import _core
 from nearfar.stereo import HybridRig, TemporalAntialiasing
 from tests.support.hybrid_cases import AHEAD, HEAD, cut, places, rig, scene, towards
 from tests.support.reduce_cases import place
+from tests.support.steady_oracle import cubic
 
 Image = NDArray[np.float64]
 SIDES = ("left", "right")
@@ -26,12 +27,6 @@ def luma_chroma(color: Image) -> Image:
 def rgb(color: Image) -> Image:
     luma, orange, green = np.moveaxis(color, -1, 0)
     return np.stack([luma - green + orange, luma + green, luma - green - orange], -1)
-
-
-def cubic(t: float) -> Image:
-    """Weights of four pixels by Catmull and Rom's matrix."""
-    matrix = 0.5 * np.array([[0, -1, 2, -1], [2, 0, -5, 3], [0, 1, 4, -3], [0, 0, -1, 1]])
-    return np.asarray(matrix @ np.array([1.0, t, t * t, t**3]))
 
 
 def mixed_slowly(color: Image, motion: Image, away: Image, gathered: Image, share: float) -> Image:

@@ -125,10 +125,3 @@ def test_splitting_rings_does_not_affect_files_by_footprint(
     regions = [each._manifest["regions"][0] for each in (bundle, split)]
     assert regions[0]["by_footprint"]["portions"] == regions[1]["by_footprint"]["portions"]
     assert split.summary()[1]["geometry"] > bundle.summary()[1]["geometry"]
-
-
-def test_too_fine_a_split_is_named(tmp_path: Path) -> None:
-    scene = nf.datasets.city(blocks=2, detail=0)
-    with pytest.raises(ValueError, match="split_px: too small for ring 1"):
-        nf.stream.export(scene, tmp_path / "b", center=(0, 1.7, 0), radii=(10, 14), face_size=64, split_px=0.001)
-    assert not (tmp_path / "b").exists()

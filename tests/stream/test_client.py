@@ -222,44 +222,6 @@ def test_missing_servers_and_servers_without_rooms_are_reported() -> None:
     assert (str(again), again.reason, again.sentence) == (str(error), error.reason, error.sentence)
 
 
-@pytest.mark.parametrize(
-    ("changes", "message"),
-    [
-        ({"url": "127.0.0.1:8080"}, "url: expected the address of a server"),
-        ({"url": "http://here/?a=b"}, "url: expected"),
-        ({"url": "http://here:99999/"}, "url: expected"),
-        ({"url": "ftp://here/"}, "url: expected"),
-        ({"room": ""}, "room: expected 1 to 64 bytes"),
-        ({"room": "a/b"}, "room: expected"),
-        ({"room": ".."}, "room: expected"),
-        ({"room": "é" * 33}, "room: expected at most 64 bytes"),
-        ({"name": "a\nb"}, "name: expected no control characters"),
-        ({"name": "a\u200bb"}, "name: expected no invisible formatting characters"),
-        ({"name": "é" * 33}, "name: expected at most 64 bytes"),
-        ({"certificate": __file__}, "certificate: expected a file of certificates"),
-    ],
-)
-def test_invalid_rooms_and_names_are_refused(changes: dict[str, object], message: str) -> None:
-    with pytest.raises(ValueError, match=message):
-        join(**{"url": "http://127.0.0.1:8080/", "room": "hall", **changes})  # type: ignore[arg-type]
-
-
-@pytest.mark.parametrize(
-    ("changes", "message"),
-    [
-        ({"position": (0.0, 2e6, 0.0)}, "position: expected coordinates within"),
-        ({"left": (0.0, 0.0, 0.0)}, "left: expected a position and a quaternion"),
-        ({"pointer": ("right", 1.0)}, "pointer: expected a hand"),
-        ({"pointer": ("foot", 1.0)}, "pointer: expected one of"),
-        ({"pointer": ("head", -1.0)}, "pointer: expected a number from 0"),
-    ],
-)
-def test_invalid_poses_are_refused(changes: dict[str, object], message: str) -> None:
-    room = join("http://127.0.0.1:8080/", room="hall")
-    with pytest.raises((ValueError, TypeError), match=message):
-        run(room.pose(**{"position": (0.0, 0.0, 0.0), **changes}))  # type: ignore[arg-type]
-
-
 def test_payloads_have_a_maximum_length() -> None:
     room = join("http://127.0.0.1:8080/", room="hall")
     with pytest.raises(ValueError, match="data: expected at most 4,096 bytes"):

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import copy
 import json
 import re
 import shutil
@@ -11,12 +10,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from hypothesis import HealthCheck, given, settings, strategies as st
 
 import nearfar as nf
-from nearfar.stream import _store
 from tests.support import bundle_cases, need, valid
 from tests.support.bundle_cases import content, use
+from tests.support.refused import replace_value
 
 DAMAGES: dict[str, Callable[[bytes], bytes | None]] = {
     "missing": lambda data: None,
@@ -112,19 +110,6 @@ def places(node: Any, path: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ...]]:
                 yield from places(node[key], (*path, key))
 
 
-def replace_value(document: Any, path: tuple[Any, ...], value: Any) -> Any:
-    """A copy with the value at a path replaced; `...` removes it."""
-    document = copy.deepcopy(document)
-    node = document
-    for key in path[:-1]:
-        node = node[key]
-    if value is ...:
-        del node[path[-1]]
-    else:
-        node[path[-1]] = value
-    return document
-
-
 HEADER = ("generator", "units", "axes", "origin")
 """Fields of all our files that describe how to read them; readers of a single version do not need them."""
 
@@ -148,7 +133,7 @@ def check_values(folder: Path, values: tuple[Any, ...]) -> int:
     refused, let = 0, []
     for place in places(whole):
         for value in values:
-            document = replace_value(whole, place, value)
+            document = replace_value(whole, value, *place)
             path.write_text(json.dumps(document))
             message = refusal(folder)
             if message:
@@ -179,6 +164,7 @@ def test_no_manifest_that_breaks_the_schema_is_opened(copied: Path) -> None:
         (("version",), 2, r"nearfar\.bundle version 2 was written by nearfar .*; this is nearfar .* up to version 1"),
         (("version",), 0, "expected a version of at least 1"),
         (("format",), "nearfar.reduced", r"expected format 'nearfar\.bundle'"),
+        (("regions",), [], "regions"),
         (("regions", 0, "center"), ..., "'center' is missing"),
         (("regions", 0, "rings", 1, "radius"), -5.0, "radius: expected a number of at least 0"),
         (("regions", 0, "rings", 1, "radius"), 12.0, "rings: expected radii that ascend from 0"),
@@ -188,6 +174,7 @@ def test_no_manifest_that_breaks_the_schema_is_opened(copied: Path) -> None:
         (("map", "face_size"), 10**9, "face_size: expected a whole number"),
         (("regions", 0, "range", "step"), 1e9, "step: expected ranges that are finite"),
         (("morph", "near_share"), 0.5, "near_share: expected 0.7"),
+        (("files",), {}, "files"),
         (("files",), {"../secret": {"bytes": 1, "sha256": "0" * 64}}, "files: expected names below files/"),
         (("files",), {"files/a/b": {"bytes": 1, "sha256": "0" * 64}}, "files: expected names below files/"),
         (("dynamic", "geometry"), 3, "geometry: expected"),
@@ -195,7 +182,7 @@ def test_no_manifest_that_breaks_the_schema_is_opened(copied: Path) -> None:
 )
 def test_defects_of_a_manifest_are_explained(copied: Path, place: tuple[Any, ...], value: Any, text: str) -> None:
     path = copied / "manifest.json"
-    path.write_text(json.dumps(replace_value(json.loads(path.read_text()), place, value)))
+    path.write_text(json.dumps(replace_value(json.loads(path.read_text()), value, *place)))
     with pytest.raises(nf.FormatError, match=rf"{re.escape(str(path))}: .*{text}"):
         nf.stream.open(copied)
 
@@ -216,91 +203,3 @@ def test_a_missing_manifest_is_named(tmp_path: Path) -> None:
     need("fsspec")
     with pytest.raises(FileNotFoundError, match=r"memory://nowhere/manifest\.json"):
         nf.stream.open("memory://nowhere")
-
-
-VALUES = st.recursive(
-    st.none()
-    | st.booleans()
-    | st.integers()
-    | st.floats()
-    | st.text(max_size=8)
-    | st.sampled_from([2**31, 2**63, 1e308]),
-    lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text(max_size=4), inner, max_size=3),
-    max_leaves=6,
-)
-
-
-class Fuzz:
-    """Mutations of bundles, for which only FormatError may be raised.
-
-    Hypothesis replaces cargo-fuzz here, because manifests and maps are read in Python, which libFuzzer does
-    not instrument; for the Rust decoders of meshoptimizer's streams there is the target `meshopt` in
-    fuzz/. The hashes of altered files are updated, so that the decoders process them.
-    """
-
-    @staticmethod
-    def manifest(folder: Path, data: st.DataObject) -> None:
-        """Put other values in some places."""
-        path = folder / "manifest.json"
-        document = json.loads(path.read_text())
-        for _ in range(data.draw(st.integers(1, 3))):
-            document = replace_value(
-                document, data.draw(st.sampled_from(list(places(document)))), data.draw(VALUES | st.just(...))
-            )
-            if not document:
-                break
-        path.write_text(json.dumps(document), encoding="utf-8", errors="surrogatepass")
-
-    @staticmethod
-    def file(folder: Path, data: st.DataObject) -> None:
-        """Alter bytes of a file, truncate it, or replace it by another one's."""
-        path = folder / "manifest.json"
-        document = json.loads(path.read_text())
-        name = data.draw(st.sampled_from(sorted(document["files"])))
-        found = bytearray((folder / name).read_bytes())
-        for _ in range(data.draw(st.integers(1, 4))):
-            place = data.draw(st.integers(0, len(found)))
-            cut = data.draw(st.integers(0, 8))
-            found[place : place + cut] = data.draw(st.binary(max_size=8))
-        if data.draw(st.integers(0, 9)) == 0:
-            found = bytearray((folder / data.draw(st.sampled_from(sorted(document["files"])))).read_bytes())
-        (folder / name).write_bytes(found)
-        document["files"][name] = _store.file_entry(bytes(found))
-        path.write_text(json.dumps(document))
-
-
-def check_fuzzed(folder: Path, mutate: Callable[[Path, st.DataObject], None], data: st.DataObject) -> None:
-    files = content(folder)
-    try:
-        mutate(folder, data)
-        message = refusal(folder)
-    finally:
-        shutil.rmtree(folder)
-        for name, original in files.items():
-            (folder / name).parent.mkdir(parents=True, exist_ok=True)
-            (folder / name).write_bytes(original)
-    assert not message or str(folder) in message
-    assert len(message) < len(str(folder)) + 600
-
-
-# Fixed examples: the attack draws others.
-QUICK = settings(
-    max_examples=30, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.function_scoped_fixture]
-)
-MANY = settings(QUICK, max_examples=1000)
-
-
-@pytest.mark.parametrize("mutate", [Fuzz.manifest, Fuzz.file])
-@QUICK
-@given(data=st.data())
-def test_mutated_bundles_raise_nothing_but_format_errors(copied: Path, mutate: Any, data: st.DataObject) -> None:
-    check_fuzzed(copied, mutate, data)
-
-
-@pytest.mark.stress
-@pytest.mark.slow
-@pytest.mark.parametrize("mutate", [Fuzz.manifest, Fuzz.file])
-@MANY
-@given(data=st.data())
-def test_many_mutated_bundles_raise_nothing_but_format_errors(copied: Path, mutate: Any, data: st.DataObject) -> None:
-    check_fuzzed(copied, mutate, data)

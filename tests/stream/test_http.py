@@ -3,28 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import partial
-from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
-from threading import Thread
-from typing import Any
 
 import numpy as np
 import pytest
 
 import nearfar as nf
 from tests.support import bundle_cases, need
+from tests.support.range_server import RangeHandler, serve_folder
 
 NAMES = ("city", "ein Dörfchen 50 %")
 
 
-class Handler(SimpleHTTPRequestHandler):
+class Failing(RangeHandler):
     """Serves a folder, with failures on request."""
 
-    def log_message(self, format: str, *given: Any) -> None:  # noqa: A002
-        pass
-
-    def do_GET(self) -> None:
+    def do_GET(self) -> None:  # noqa: N802 - the base class's name
         if self.path.startswith("/busy/"):
             self.send_error(503)
         elif self.path.startswith("/short/"):
@@ -46,33 +40,24 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture
-def server(folder: Path) -> Iterator[ThreadingHTTPServer]:
+def url(folder: Path) -> Iterator[str]:
     need("fsspec")
     need("aiohttp")
-    with ThreadingHTTPServer(("127.0.0.1", 0), partial(Handler, directory=str(folder))) as server:
-        thread = Thread(target=server.serve_forever, args=(0.01,))
-        thread.start()
-        yield server
-        server.shutdown()
-        thread.join()
-
-
-def url_of(server: ThreadingHTTPServer) -> str:
-    return f"http://127.0.0.1:{server.server_port}"
+    with serve_folder(folder, Failing) as server:
+        yield server.url.rstrip("/")
 
 
 @pytest.mark.parametrize("place", ["{}", "{}/", "{}/manifest.json"])
 @pytest.mark.parametrize("name", [*NAMES, "ein%20D%C3%B6rfchen%2050%20%25"])
-def test_served_bundles_equal_written_ones(server: ThreadingHTTPServer, folder: Path, name: str, place: str) -> None:
-    bundle, local = nf.stream.open(place.format(f"{url_of(server)}/{name}")), nf.stream.open(folder / NAMES[0])
+def test_served_bundles_equal_written_ones(url: str, folder: Path, name: str, place: str) -> None:
+    bundle, local = nf.stream.open(place.format(f"{url}/{name}")), nf.stream.open(folder / NAMES[0])
     assert bundle.files == local.files
     bundle.verify()
     np.testing.assert_array_equal(bundle.map(2).color, local.map(2).color)
     assert bundle.at(2).triangle_count == local.at(2).triangle_count
 
 
-def test_a_server_that_fails_is_an_error_that_names_the_file(server: ThreadingHTTPServer, folder: Path) -> None:
-    url = url_of(server)
+def test_a_server_that_fails_is_an_error_that_names_the_file(url: str, folder: Path) -> None:
     with pytest.raises(FileNotFoundError, match=f"{url}/none/manifest.json"):
         nf.stream.open(f"{url}/none")
     for place, text in (("busy", "503"), ("short", "cannot be read")):
@@ -86,7 +71,7 @@ def test_a_server_that_fails_is_an_error_that_names_the_file(server: ThreadingHT
     for use in (cut.verify, lambda: cut.at(1)):
         with pytest.raises(nf.FormatError, match=rf"{url}/cut/files/\w+\.glb: expected bytes = \d+"):
             use()
-    server.shutdown()
-    server.server_close()
-    with pytest.raises(ConnectionRefusedError, match=f"cannot be read.*{url}/{NAMES[0]}/manifest.json"):
-        nf.stream.open(f"{url}/{NAMES[0]}")
+    with serve_folder(folder) as gone:
+        pass
+    with pytest.raises(ConnectionRefusedError, match=f"cannot be read.*{gone.url}{NAMES[0]}/manifest.json"):
+        nf.stream.open(f"{gone.url}{NAMES[0]}")

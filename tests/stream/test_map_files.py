@@ -12,7 +12,6 @@ from hypothesis import given, settings, strategies as st
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar._base import webp
 from nearfar.stream import _map_files as codec
 from nearfar.stream._map_files import RangeScale
 from tests.support.ranges_oracle import Decoder
@@ -90,14 +89,6 @@ def test_damaged_ranges_are_refused_or_read_as_others(is_delta: bool, draw: st.D
         assert codes.shape == changed.shape == maps.after.shape
 
 
-@given(st.binary(max_size=200), st.booleans())
-def test_random_bytes_are_refused(data: bytes, is_delta: bool) -> None:
-    maps = Maps.random(4, 1, 12, 5)
-    for wrong in (data, zlib.compress(data)):
-        with pytest.raises(ValueError, match="ranges"):
-            maps.decoded(wrong, is_delta)
-
-
 @pytest.mark.parametrize("is_delta", [False, True])
 def test_truncated_and_endless_ranges_are_refused(is_delta: bool) -> None:
     maps = Maps.random(5, 1, 12, 5)
@@ -131,26 +122,6 @@ def test_neighbours_of_marked_texels_are_marked() -> None:
     wide = np.pad(mask, ((0, 0), (1, 1), (1, 1)))
     expected = [wide[:, y : y + 9, x : x + 9] for y in range(3) for x in range(3)]
     np.testing.assert_array_equal(codec.with_neighbours(mask), np.any(expected, axis=0))
-
-
-def test_holes_are_filled_with_the_mean_of_the_smallest_non_empty_block() -> None:
-    rng = np.random.default_rng(0)
-    tiles, known = rng.random((3, 8, 8, 3)).astype(np.float32), rng.random((3, 8, 8)) < 0.2
-    found = webp.fill_unknown(tiles, known)
-    for number, y, x in np.ndindex(3, 8, 8):
-        for side in (1, 2, 4, 8):
-            rows = slice(y // side * side, y // side * side + side)
-            columns = slice(x // side * side, x // side * side + side)
-            if known[number, rows, columns].any():
-                break
-        own = found[number, rows, columns][known[number, rows, columns]]
-        if side == 1:
-            np.testing.assert_array_equal(found[number, y, x], tiles[number, y, x])
-        # Means of the means of the four quarters, in each of which the known texels have equal weight.
-        elif side == 2:
-            np.testing.assert_allclose(found[number, y, x], own.mean(axis=0), rtol=1e-6)
-        assert own.min() - 1e-6 <= found[number, y, x].min()
-        assert found[number, y, x].max() <= own.max() + 1e-6
 
 
 @pytest.mark.parametrize(("low", "high", "error"), [(0.1, 1000.0, 2.0**-11), (0.002, 3e6, 1e-5), (5.0, 5.0, 1e-3)])

@@ -175,18 +175,6 @@ def test_a_timeline_is_plotted(bundle: nf.stream.Bundle, monkeypatch: pytest.Mon
         np.testing.assert_array_equal(line.plot(value=value).lines[0].get_ydata(), rows)
 
 
-@pytest.mark.parametrize(
-    ("change", "told"),
-    [
-        ({"head_path": [[1.0, 0, 0, 0], [1.0, 0, 0, 0]]}, "head_path: expected ascending times"),
-        ({"head_path": np.zeros((0, 4))}, "head_path: expected at least one row"),
-    ],
-)
-def test_bad_arguments_are_named(bundle: nf.stream.Bundle, change: dict[str, Any], told: str) -> None:
-    with pytest.raises(ValueError, match=told):
-        nf.stream.simulate(bundle, **{"link": LINK, **change})
-
-
 def test_bundles_without_objects_by_footprint_are_refused(tmp_path: Path) -> None:
     plain = write(tmp_path / "b")
     with pytest.raises(ValueError, match="export the scene with by_footprint=True"):

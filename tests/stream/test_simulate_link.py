@@ -101,24 +101,6 @@ def test_a_csv_file_is_a_trace(tmp_path: Path) -> None:
     assert nf.stream.Link(trace=path) == nf.stream.Link(trace=([0, 1, 3], [8, 0, 16]))
 
 
-@pytest.mark.parametrize(
-    ("given", "told"),
-    [
-        ({}, "mbps: expected either it or a trace"),
-        ({"mbps": 1.0, "trace": ([0], [1])}, "either"),
-        ({"trace": ([0, 2, 1], [1, 1, 1])}, "ascending times, got 1 after 2"),
-        ({"trace": ([1, 2], [1, 1])}, "times from 0 on"),
-        ({"trace": ([0, 2], [1, -1])}, "rates from 0"),
-        ({"trace": ([0, 2], [1, 0])}, "would never arrive"),
-        ({"trace": ([0, 2], [1])}, "as many times as rates"),
-        ({"trace": ([], [])}, "as many times as rates"),
-    ],
-)
-def test_impossible_links_are_refused(given: dict[str, Any], told: str) -> None:
-    with pytest.raises(ValueError, match=told):
-        nf.stream.Link(**given)
-
-
 @pytest.mark.parametrize("text", ["0,1\n1\n", "a,b\nc,d\n", "0,1,2\n"])
 def test_damaged_csv_files_are_named(text: str, tmp_path: Path) -> None:
     path = tmp_path / "trace.csv"

@@ -8,10 +8,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tests.support.gltf_cases import encode, picture
+from tests.support.gltf_cases import COMPONENTS, encode, picture
 
 EXTENSION = "KHR_draco_mesh_compression"
-COMPONENTS = {"i1": 5120, "u1": 5121, "i2": 5122, "u2": 5123, "u4": 5125, "f4": 5126}
 NUMBERS = {"NORMAL": 2, "TEXCOORD_0": 7, "TEXCOORD_1": 3, "COLOR_0": 5}
 """Numbers of the attributes in the streams, in a different order from the files."""
 

@@ -122,3 +122,9 @@ def whole(flight: nf.orthoview.Flight, draw: Callable[[], Any]) -> Any:
     draw()
     assert flight.wait(LONG)
     return draw()
+
+
+def holes(frame: nf.Frame, truth: nf.Frame) -> float:
+    """Share of the pixels that show a surface in truth and none in a frame."""
+    is_hit = np.isfinite(truth.require("range"))
+    return float((is_hit & np.isinf(frame.require("range"))).sum() / is_hit.sum())

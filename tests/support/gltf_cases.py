@@ -11,6 +11,13 @@ from typing import Any
 import numpy as np
 from PIL import Image
 
+import nearfar as nf
+
+COMPONENTS = {"i1": 5120, "u1": 5121, "i2": 5122, "u2": 5123, "u4": 5125, "f4": 5126}
+"""Codes of glTF by the types of arrays."""
+
+CORNERS = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0]], np.float32)
+
 MATERIALS: list[dict[str, Any]] = [
     {
         "name": "lamp",
@@ -91,17 +98,41 @@ def gltf(materials: list[dict[str, Any]] | None = None, **changes: Any) -> bytes
     return encode(document | changes, binary)
 
 
-def encode(document: dict[str, Any], binary: bytes) -> bytes:
-    text = json.dumps(document).encode()
+def triangle(binary: bytes = CORNERS.tobytes(), **changes: Any) -> bytes:
+    """A GLB of one triangle, whose corners fill the buffer; `changes` replace entries of its document."""
+    document = {
+        "asset": {"version": "2.0"},
+        "scenes": [{"nodes": [0]}],
+        "nodes": [{"mesh": 0, "name": "thing"}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+        "bufferViews": [{"buffer": 0, "byteLength": CORNERS.nbytes}],
+        "buffers": [{"byteLength": CORNERS.nbytes}],
+    }
+    return encode(document | changes, binary)
+
+
+def load(folder: Path, content: bytes, **options: Any) -> nf.Scene:
+    """Write a GLB into a folder, and load it."""
+    (folder / "a.glb").write_bytes(content)
+    return nf.Scene.load(folder / "a.glb", **options)
+
+
+def encode(document: Any, binary: bytes) -> bytes:
+    return join(json.dumps(document).encode(), binary)
+
+
+def join(text: bytes, binary: bytes) -> bytes:
+    """A GLB of two chunks."""
     text += b" " * (-len(text) % 4)
     binary += bytes(-len(binary) % 4)
     chunks = struct.pack("<I4s", len(text), b"JSON") + text + struct.pack("<I4s", len(binary), b"BIN\0") + binary
     return struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks
 
 
-def decode(path: Path) -> tuple[dict[str, Any], bytes]:
+def decode(file: Path | bytes) -> tuple[dict[str, Any], bytes]:
     """Document and buffer of a GLB."""
-    data = path.read_bytes()
+    data = file if isinstance(file, bytes) else file.read_bytes()
     (length,) = struct.unpack_from("<I", data, 12)
     document: dict[str, Any] = json.loads(data[20 : 20 + length])
     return document, data[20 + length + 8 :]

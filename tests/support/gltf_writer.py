@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import json
-import struct
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-CODES = {np.int8: 5120, np.uint8: 5121, np.int16: 5122, np.uint16: 5123, np.uint32: 5125, np.float32: 5126}
-KINDS = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4"}
+from tests.support.gltf_cases import COMPONENTS, encode
+
+KINDS = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4", 16: "MAT4"}
 
 
 class Writer:
@@ -43,19 +43,23 @@ class Writer:
         if gap:
             view["byteStride"] = size + gap
         self.views.append(view)
-        accessor = {"bufferView": len(self.views) - 1, "componentType": CODES[values.dtype.type]}
+        accessor = {"bufferView": len(self.views) - 1, "componentType": COMPONENTS[values.dtype.str[1:]]}
         self.accessors.append(
             accessor | {"count": len(values), "type": KINDS[values.shape[1]], "normalized": normalized}
         )
         return len(self.accessors) - 1
 
     def glb(self, **document: Any) -> bytes:
-        self.data += bytes(-len(self.data) % 4)
         whole = {"asset": {"version": "2.0"}, "accessors": self.accessors, "bufferViews": self.views, **document}
-        text = json.dumps(whole | {"buffers": [{"byteLength": len(self.data)}]}).encode()
-        text += b" " * (-len(text) % 4)
-        chunks = struct.pack("<I4s", len(text), b"JSON") + text + struct.pack("<I4s", len(self.data), b"BIN\0")
-        return struct.pack("<4sII", b"glTF", 2, 12 + len(chunks) + len(self.data)) + chunks + self.data
+        return encode(whole | {"buffers": [{"byteLength": len(self.data)}]}, self.data)
+
+
+def glb_of(arrays: Iterable[NDArray[Any]], normalized: str = "iu", **document: Any) -> bytes:
+    """A GLB whose accessors are arrays (N, K) with gaps between rows; `normalized` are the normalised kinds."""
+    writer = Writer(np.random.default_rng(0))
+    for rows in arrays:
+        writer.add(rows, normalized=rows.dtype.kind in normalized, tight=False)
+    return writer.glb(**{"scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}]} | document)
 
 
 def random_glb(rng: np.random.Generator) -> bytes:

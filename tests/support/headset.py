@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 import nearfar as nf
 from nearfar._scene.srgb import to_srgb
 from tests.support.browser import open_page, wait_for_ring
+from tests.support.page_pictures import of_one_face
 from tests.support.web_cases import bundled
 
 Vector = tuple[float, float, float]
@@ -248,16 +249,6 @@ def thrown(floor: Floor, position: Vector, turn: Quaternion) -> NDArray[np.float
 def eyes(floor: Floor, head: tuple[Vector, Quaternion], ipd: float, size: tuple[int, int]) -> dict[str, nf.Camera]:
     """nearfar's cameras of both eyes."""
     return {side: camera(floor, *head, side, ipd, size) for side in ("left", "right")}
-
-
-def of_one_face(faces: Any) -> Any:
-    """Pixels whose eight neighbours show the same face."""
-    same = np.ones(faces.shape, bool)
-    for rows in (-1, 0, 1):
-        for columns in (-1, 0, 1):
-            same &= np.roll(faces, (rows, columns), (0, 1)) == faces
-    same[[0, -1]] = same[:, [0, -1]] = False
-    return same
 
 
 def expected(

@@ -91,24 +91,32 @@ class Call:
 
     def refused_floats(self) -> Iterator[str]:
         """Describe each count, or pair of counts, that gives another result as a float, such as 4.0 instead of 4."""
-        for name, (_, entry) in self._parameters.items():
-            value = self.arguments.get(name, entry.default)
-            # Parameters that also take arrays or slices are indices.
-            kind = str(entry.annotation).removesuffix(" | None")
-            if kind in ("int", "SupportsIndex") and (value is None or type(value) is int):
-                count: Any = 4 if value is None else value
-                same: Any = float(count)
-            elif kind == "tuple[int, int]" and (value is None or type(value) is tuple):
-                count = value or (16, 16)
-                same = float(count[0]), float(count[1])
-            else:
-                continue
+        counts = self._counts()
+        # Most calls take all of their counts as floats at once; if not, those that are wrong are found one by one.
+        given = {name: as_float(count) for name, count in counts.items() if self._everything()[name] is not None}
+        if given and self.outcome(**given) == self.outcome():
+            counts = {name: count for name, count in counts.items() if name not in given}
+        for name, count in counts.items():
+            same = as_float(count)
             expected = self.outcome(**{name: count})
             # Results that contain times differ between equal calls; such a call must only be accepted.
             if self.outcome(**{name: same}) != expected and (
                 self.outcome(**{name: count}) == expected or self.attempt({name: same}) is not None
             ):
                 yield f"{self.name}({name}={same}) gives another result than {count}"
+
+    def _counts(self) -> dict[str, Any]:
+        """Return parameters that are a count or a pair of counts, each with a value."""
+        found: dict[str, Any] = {}
+        for name, (_, entry) in self._parameters.items():
+            value = self.arguments.get(name, entry.default)
+            # Parameters that also take arrays or slices are indices.
+            kind = str(entry.annotation).removesuffix(" | None")
+            if kind in ("int", "SupportsIndex") and (value is None or type(value) is int):
+                found[name] = 4 if value is None else value
+            elif kind == "tuple[int, int]" and (value is None or type(value) is tuple):
+                found[name] = value or (16, 16)
+        return found
 
     def _values(self, parameter: str, *, is_right: bool) -> Iterator[Hostile]:
         """Yield values that a parameter may accept, or those that it must refuse."""
@@ -134,6 +142,11 @@ class Call:
     def _everything(self) -> dict[str, Any]:
         """Arguments and defaults."""
         return {name: entry.default for name, (_, entry) in self._parameters.items()} | self.arguments
+
+
+def as_float(count: Any) -> Any:
+    """The same numbers as floats."""
+    return tuple(map(float, count)) if isinstance(count, tuple) else float(count)
 
 
 def _layouts(array: Any) -> Iterator[tuple[str, Any]]:

@@ -9,10 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tests.support.gltf_cases import encode
+from tests.support.gltf_cases import COMPONENTS, encode
 
 EXTENSION = "EXT_meshopt_compression"
-COMPONENTS = {"i1": 5120, "u1": 5121, "i2": 5122, "u2": 5123, "u4": 5125, "f4": 5126}
 
 
 @dataclass(frozen=True)
@@ -101,7 +100,7 @@ def triangle_codec(corners: list[int]) -> bytes:
     codes = b"\xff" * (len(corners) // 3)
     data, last = b"", 0
     for place, corner in enumerate(corners):
-        data += (b"\xff" if place % 3 == 0 else b"") + _varint(_zigzag(corner - last))
+        data += (b"\xff" if place % 3 == 0 else b"") + varint(_zigzag(corner - last))
         last = corner
     return b"\xe1" + codes + data + bytes(16)
 
@@ -109,14 +108,14 @@ def triangle_codec(corners: list[int]) -> bytes:
 def sequence_codec(corners: list[int]) -> bytes:
     """Version 1 with differences from the index before."""
     changes = [corner - last for corner, last in zip(corners, [0, *corners[:-1]], strict=True)]
-    return b"\xd1" + b"".join(_varint(_zigzag(change) << 1) for change in changes) + bytes(4)
+    return b"\xd1" + b"".join(varint(_zigzag(change) << 1) for change in changes) + bytes(4)
 
 
 def _zigzag(change: int) -> int:
     return 2 * change if change >= 0 else -2 * change - 1
 
 
-def _varint(value: int) -> bytes:
+def varint(value: int) -> bytes:
     written = b""
     while value > 127:
         written += bytes([value & 127 | 128])

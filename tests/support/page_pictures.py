@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
@@ -37,3 +38,9 @@ def off(frame: nf.Frame, found: NDArray[np.uint8]) -> NDArray[Any]:
     expected = np.rint(to_srgb(np.clip(frame.require("color"), 0, 1)) * 255)
     worst: NDArray[Any] = np.abs(expected - found).max(axis=-1)
     return worst
+
+
+def continuity(pictures: Iterable[ArrayLike]) -> NDArray[np.float64]:
+    """Visual continuity of consecutive pictures in sRGB codes, by their luma."""
+    grays = [np.asarray(picture, float) @ np.array([0.2126, 0.7152, 0.0722]) for picture in pictures]
+    return np.array(list(nf.metrics.visual_continuity(grays, data_range=255.0)))

@@ -5,11 +5,11 @@ from __future__ import annotations
 import re
 import threading
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import partial
-from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from http.server import BaseHTTPRequestHandler, SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Any
 
@@ -58,23 +58,30 @@ class Served:
 
 
 @contextmanager
-def serve_folder(folder: Path) -> Iterator[Served]:
+def running(handler: Callable[..., BaseHTTPRequestHandler]) -> Iterator[str]:
+    """Run a server on this machine, and return its address, which ends with a slash."""
+    with ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
+        thread = threading.Thread(target=server.serve_forever, args=(0.01,))
+        thread.start()
+        try:
+            yield f"http://127.0.0.1:{server.server_port}/"
+        finally:
+            server.shutdown()
+            thread.join()
+
+
+@contextmanager
+def serve_folder(folder: Path, handler: type[RangeHandler] = RangeHandler) -> Iterator[Served]:
     """Serve a folder to this machine."""
     answers: Counter[tuple[str, str, int]] = Counter()
     sent: list[tuple[str, int]] = []
 
-    class Handler(RangeHandler):
-        def log_request(self, code: int | str = "-", size: int | str = "-") -> None:
-            answers[self.command, self.path.lstrip("/"), int(code)] += 1
+    def log_request(self: RangeHandler, code: int | str = "-", size: int | str = "-") -> None:
+        answers[self.command, self.path.lstrip("/"), int(code)] += 1
 
-        def note_sent(self, size: int) -> None:
-            sent.append((self.path.lstrip("/"), size))
+    def note_sent(self: RangeHandler, size: int) -> None:
+        sent.append((self.path.lstrip("/"), size))
 
-    with ThreadingHTTPServer(("127.0.0.1", 0), partial(Handler, directory=str(folder))) as server:
-        thread = threading.Thread(target=server.serve_forever, args=(0.01,))
-        thread.start()
-        try:
-            yield Served(f"http://127.0.0.1:{server.server_port}/", answers, sent)
-        finally:
-            server.shutdown()
-            thread.join()
+    noting = type("Noting", (handler,), {"log_request": log_request, "note_sent": note_sent})
+    with running(partial(noting, directory=str(folder))) as url:
+        yield Served(url, answers, sent)

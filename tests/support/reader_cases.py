@@ -9,15 +9,13 @@ import queue
 import shutil
 import signal
 import subprocess
-import threading
 import time
 from collections.abc import Iterable, Mapping
 from functools import partial
-from http.server import ThreadingHTTPServer
 from pathlib import Path
 from typing import Any
 
-from tests.support.range_server import RangeHandler
+from tests.support.range_server import RangeHandler, running
 
 FOLDER = Path(__file__).resolve().parents[1] / "readers"
 EXPORTERS = FOLDER.with_name("exporters")
@@ -157,27 +155,23 @@ def answer_of(
     folders: Mapping[str, Path] | None = None,
     pages: Path = FOLDER,
 ) -> dict[str, Any]:
-    """The post to /result of a module that page.html loads and that has read its job from /job.json.
-    The answer posted to /result by a module that page.html loads and that reads its job from /job.json.
-        Parameters
-        ----------
-        module, job
-            The module's name, and what it is to do.
+    """The answer posted to /result by a module that page.html loads and that reads its job from /job.json.
+
+    Parameters
+    ----------
+    module, job
         The module's name, and its job.
-            An empty folder for the browser's profile.
-        folders
-            Folders that the module finds by these names below /bundles.
+    folder
+        An empty folder for the browser's profile.
+    folders
         Folders that the module finds by these names below /bundles.
-            The folder of page.html.
+    pages
+        The folder of page.html.
     """
     answers: queue.Queue[bytes] = queue.Queue()
     handler = partial(_Handler, pages=pages, job=json.dumps(job).encode(), bundles=folders or {}, answers=answers)
-    with ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
-        threading.Thread(target=server.serve_forever, daemon=True).start()
-        try:
-            answer = _answers_of_page(f"http://127.0.0.1:{server.server_port}/page.html?{module}", answers, folder)
-        finally:
-            server.shutdown()
+    with running(handler) as url:
+        answer = _answers_of_page(f"{url}page.html?{module}", answers, folder)
     assert "error" not in answer, answer["error"]
     return answer
 

@@ -55,7 +55,7 @@ def street(*, dynamic: bool = False, ground: bool = True) -> nf.Scene:
     return build.build(dynamic=["car"] if dynamic else [])
 
 
-def place(x: float, y: float, z: float) -> Array:
+def place(x: float = 0.0, y: float = 0.0, z: float = 0.0) -> Array:
     matrix = np.eye(4)
     matrix[:3, 3] = x, y, z
     return matrix

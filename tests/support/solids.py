@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+import nearfar as nf
 from nearfar.datasets._shapes import Soup, weld
 
 
@@ -59,3 +60,9 @@ def digest(*arrays: NDArray[Any]) -> str:
     for array in arrays:
         state.update(str(array.shape).encode() + np.ascontiguousarray(array).tobytes())
     return state.hexdigest()[:16]
+
+
+def area_vectors(scene: nf.Scene) -> NDArray[np.float64]:
+    """Area vectors (T, 3) of the triangles."""
+    a, b, c = np.moveaxis(scene.triangles().astype(np.float64), 1, 0)
+    return np.asarray(np.cross(b - a, c - a) / 2)

@@ -98,18 +98,6 @@ def test_pieces_grow_with_the_height() -> None:
     assert count(1e5) < 12 * count(30.0)
 
 
-@pytest.mark.parametrize(
-    ("changed", "named"),
-    [
-        ({"reach": 8.0, "radius": 22.0}, "user_region"),
-        ({"tolerance_px": 1e-9}, "tolerance_px"),
-    ],
-)
-def test_growth_without_a_bound_is_refused(changed: dict[str, Any], named: str) -> None:
-    with pytest.raises(ValueError, match=f"^{named}: expected"):
-        split(ground(), r2=32.0, **changed)
-
-
 @pytest.mark.parametrize("changed", [{"radius": 20.0}, {"strength": 0.5}, {"kind": "sphere"}])
 def test_a_blend_has_no_growth(changed: dict[str, Any]) -> None:
     with pytest.raises(ValueError, match=f"^{next(iter(changed))}: expected"):

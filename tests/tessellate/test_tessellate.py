@@ -212,18 +212,3 @@ def test_pixel_angles_consider_fine_pixels_and_corners() -> None:
     assert VIEW._core.least_pixel_angle == pytest.approx(PIXEL)
     face = nf.Camera((0, 0, 0), fov=nf.CubeFace(2), size=(512, 512))
     assert face._core.least_pixel_angle == pytest.approx(2 / 512 / 3)
-
-
-@pytest.mark.parametrize(
-    ("wrong", "message"),
-    [
-        ({"user_region": 25.0}, "user_region: expected users within"),
-        ({"tolerance_px": 1e-9}, "tolerance_px: expected a tolerance that"),
-        ({"camera": nf.Camera((0, 0, 0), fov=nf.Orthographic(-1, 1, -1, 1), size=(9, 9))}, "camera: expected a persp"),
-    ],
-)
-def test_unbounded_settings_are_refused(wrong: dict[str, Any], message: str) -> None:
-    given: dict[str, Any] = {"r1": R1, "r2": R2, "user_region": 5.0, "tolerance_px": 0.5, "camera": VIEW, **wrong}
-    for mesh in (ground(), crowd()):
-        with pytest.raises(ValueError, match=message):
-            nf.tessellate(mesh, center=CENTER, **given)

@@ -12,6 +12,7 @@ import nearfar as nf
 from nearfar.serve._server import Server
 from tests.support.browser import open_page, wait_until
 from tests.support.held_rings import HeldRings
+from tests.support.page_pictures import continuity
 from tests.support.stepped_page import SteppedPage
 
 pytestmark = pytest.mark.slow
@@ -39,12 +40,6 @@ def pose(bundle: nf.stream.Bundle) -> dict[str, Any]:
     """A user 1 m beside the centre, who looks along the avenue."""
     x, y, z = bundle.center
     return {"position": [x - 1.0, y, z], "yaw": 0.0, "pitch": 0.0}
-
-
-def continuity(pictures: list[NDArray[Any]]) -> NDArray[np.float64]:
-    """Visual continuity of consecutive pictures in sRGB codes, by their luma."""
-    grays = [np.asarray(picture, float) @ np.array([0.2126, 0.7152, 0.0722]) for picture in pictures]
-    return np.array(list(nf.metrics.visual_continuity(grays, data_range=255.0)))
 
 
 def of_load(page: SteppedPage, held: HeldRings, pose: dict[str, Any], growth: nf.stream.Growth) -> dict[str, Any]:

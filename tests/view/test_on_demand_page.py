@@ -15,6 +15,7 @@ from nearfar._trace import viewpoint
 from nearfar.serve._server import Server
 from nearfar.serve._site import LoadedScene, Site
 from tests.support.browser import open_page, wait_until
+from tests.support.page_pictures import continuity
 from tests.support.stepped_page import SteppedPage
 
 pytestmark = pytest.mark.slow
@@ -113,12 +114,6 @@ def test_coarse_maps_are_followed_by_the_picture_of_the_bundle(
 def fades_to(told: dict[str, Any], ring: int) -> bool:
     shown = told["shown"]
     return shown is not None and shown["fading"] is not None and shown["fading"]["ring"] == ring
-
-
-def continuity(pictures: list[NDArray[np.uint8]]) -> NDArray[np.float64]:
-    """Visual continuity of pictures in sRGB codes, by their luma."""
-    grays = [picture.astype(float) @ np.array([0.2126, 0.7152, 0.0722]) for picture in pictures]
-    return np.array(list(nf.metrics.visual_continuity(grays, data_range=255.0)))
 
 
 @pytest.mark.stress

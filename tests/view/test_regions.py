@@ -16,6 +16,7 @@ from nearfar._scene.srgb import to_srgb
 from nearfar.serve._server import Server
 from tests.support import gallery
 from tests.support.browser import open_page
+from tests.support.page_pictures import continuity
 from tests.support.stepped_page import SteppedPage, count_objects, heap, objects
 
 pytestmark = pytest.mark.slow
@@ -70,12 +71,6 @@ def camera(x: float, yaw: float) -> nf.Camera:
 def truth(scene: nf.Scene, x: float, yaw: float) -> NDArray[np.float64]:
     color = nf.render(scene, camera(x, yaw), channels=("color",)).require("color")
     return np.rint(to_srgb(np.clip(color, 0, 1)) * 255)
-
-
-def continuity(pictures: list[Any]) -> NDArray[np.float64]:
-    """Visual continuity of pictures in sRGB codes, by their luma."""
-    grays = [np.asarray(picture, float) @ np.array([0.2126, 0.7152, 0.0722]) for picture in pictures]
-    return np.array(list(nf.metrics.visual_continuity(grays, data_range=255.0)))
 
 
 def at_the_border(page: Any, url: str, yaw: float) -> SteppedPage:
