@@ -89,7 +89,7 @@ def test_messages_explain_the_defect(name: str, words: str) -> None:
 
 
 # trimesh guesses an encoding if charset_normalizer is installed; then the byte is a letter in place of a number.
-UNKNOWN = "its text is in an unknown encoding|a row of it has too few or too many numbers|no triangles"
+UNKNOWN = "its text is in an unknown encoding|one of its rows has too few or too many numbers|no triangles"
 
 DAMAGED = {
     "byte.off": (b"OFF\n3 1 0\n0 0 0\n1 0 \xff\n0 1 0\n3 0 1 2\n", "stands where a number belongs"),
@@ -97,8 +97,8 @@ DAMAGED = {
     "byte.stl": (b"solid a\nfacet normal 0 0 1\nvertex 0 0 \xff\n" * 9, UNKNOWN),
     "word.off": (b"OFF\n3 1 0\n0 0 0\n1 0 abc\n0 1 0\n3 0 1 2\n", "'abc' stands where a number belongs"),
     "count.off": (b"OFF\n3 x 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "'x' stands where a number belongs"),
-    "short.off": (b"OFF\n3 1 0\n0 0 0\n1 0\n0 1 0\n3 0 1 2\n", "a row of it has too few or too many numbers"),
-    "short.xyz": (b"0 0 0\n1 0\n0 1 0\n", "a row of it has too few or too many numbers"),
+    "short.off": (b"OFF\n3 1 0\n0 0 0\n1 0\n0 1 0\n3 0 1 2\n", "one of its rows has too few or too many numbers"),
+    "short.xyz": (b"0 0 0\n1 0\n0 1 0\n", "one of its rows has too few or too many numbers"),
     "type.ply": (
         b"ply\nformat ascii 1.0\nelement vertex 1\nproperty foat x\nend_header\n0\n",
         "its header has the unknown type 'foat'",
