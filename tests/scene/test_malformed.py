@@ -92,11 +92,11 @@ def test_messages_explain_the_defect(name: str, words: str) -> None:
 UNKNOWN = "its text is in an unknown encoding|one of its rows has too few or too many numbers|no triangles"
 
 DAMAGED = {
-    "byte.off": (b"OFF\n3 1 0\n0 0 0\n1 0 \xff\n0 1 0\n3 0 1 2\n", "stands where a number belongs"),
+    "byte.off": (b"OFF\n3 1 0\n0 0 0\n1 0 \xff\n0 1 0\n3 0 1 2\n", "instead of a number"),
     "byte.xyz": (b"0 0 0\n1 0 \xff\n0 1 0\n", UNKNOWN),
     "byte.stl": (b"solid a\nfacet normal 0 0 1\nvertex 0 0 \xff\n" * 9, UNKNOWN),
-    "word.off": (b"OFF\n3 1 0\n0 0 0\n1 0 abc\n0 1 0\n3 0 1 2\n", "'abc' stands where a number belongs"),
-    "count.off": (b"OFF\n3 x 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "'x' stands where a number belongs"),
+    "word.off": (b"OFF\n3 1 0\n0 0 0\n1 0 abc\n0 1 0\n3 0 1 2\n", "'abc' instead of a number"),
+    "count.off": (b"OFF\n3 x 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "'x' instead of a number"),
     "short.off": (b"OFF\n3 1 0\n0 0 0\n1 0\n0 1 0\n3 0 1 2\n", "one of its rows has too few or too many numbers"),
     "short.xyz": (b"0 0 0\n1 0\n0 1 0\n", "one of its rows has too few or too many numbers"),
     "type.ply": (
