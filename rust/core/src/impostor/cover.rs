@@ -140,7 +140,7 @@ fn wanted_texels(tile: &Tile, node: Node) -> Vec<u16> {
     let mut texels = Vec::new();
     for row in node.top..node.top + node.side {
         for column in node.left..node.left + node.side {
-            if tile.texel_inside(column, row).is_wanted() {
+            if tile.texel_inside(column, row).kept {
                 texels.push((row * SIDE + column) as u16);
             }
         }

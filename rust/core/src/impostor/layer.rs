@@ -4,7 +4,8 @@ use glam::DVec3;
 
 use super::cover::Cover;
 use super::plane::{Bound, Plane};
-use super::tile::{Place, SIDE, Texel, World};
+use super::tile::{Place, SIDE, Texel};
+use super::world::World;
 use crate::camera::{along_face, direction_from_face, face_from_direction};
 
 /// A layer shows a surface well enough if its texels there cover at most this many times the area of the new ones.

@@ -12,10 +12,12 @@ mod layer;
 mod paint;
 mod plane;
 mod probe;
+mod sample;
 mod strips;
 #[cfg(test)]
 mod tests;
 mod tile;
+mod world;
 
 use glam::DVec3;
 use rayon::prelude::*;
@@ -30,7 +32,8 @@ pub use atlas::Mesh;
 use layer::{Layer, LayerTile, place, tiles_across};
 use paint::Quad;
 use probe::Probe;
-use tile::{SIDE, Seen, Tile, World};
+use tile::{SIDE, Tile};
+use world::{Seen, World};
 
 /// Settings of a bake.
 #[derive(Clone, Copy, Debug)]

@@ -4,7 +4,7 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::layer::{Layer, Patch};
-use super::tile::World;
+use super::world::World;
 use crate::base::{Progress, Result};
 use crate::cubemap::{direction_from_texel, texel_from_direction};
 use crate::trace::{Hit, Ray};

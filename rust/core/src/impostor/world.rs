@@ -1,0 +1,93 @@
+//! The static part of a scene as users of the region see it.
+
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use glam::DVec3;
+
+use super::plane::Bound;
+use crate::base::Result;
+use crate::base::memory::try_with_capacity;
+use crate::partition::{Partition, Zone};
+use crate::scene::Scene;
+use crate::trace::{All, AlphaFilter, FaceHits, Hit, HitFilter, Ray, closest_hits};
+
+/// Filter for triangles that are far as a whole; all others are drawn as geometry.
+pub struct FarOnly<'a>(pub &'a Partition);
+
+impl HitFilter for FarOnly<'_> {
+    fn face_hits(&self, instance: u32, face: u32) -> FaceHits {
+        if self.0.zone(instance, face) == Zone::Far { FaceHits::All } else { FaceHits::None }
+    }
+}
+
+/// The static part of a scene, its partition, and the users' region.
+pub struct World<'a> {
+    /// The scene without moving objects, built.
+    pub scene: &'a Scene,
+    /// Partition of the scene at r₂.
+    pub partition: &'a Partition,
+    /// O relative to the scene's origin.
+    pub eye: DVec3,
+    /// Radius of the users' region about O, metres.
+    pub reach: f64,
+    /// Greatest error, radians.
+    pub angle: f64,
+    /// Near triangles that a ray from the region hit.
+    pub seen: Seen,
+}
+
+/// Set of triangles by number, filled by several threads.
+pub struct Seen(Vec<AtomicU64>);
+
+impl Seen {
+    /// Creates an empty set of the triangles of a scene.
+    pub fn new(scene: &Scene) -> Result<Self> {
+        let words = (scene.triangle_count() as usize).div_ceil(64);
+        let mut bits = try_with_capacity(words)?;
+        bits.resize_with(words, AtomicU64::default);
+        Ok(Self(bits))
+    }
+
+    /// Returns the numbers in ascending order.
+    pub fn numbers(&self) -> impl Iterator<Item = i64> {
+        let is_set = |n: &usize| self.0[n / 64].load(Ordering::Relaxed) >> (n % 64) & 1 == 1;
+        (0..64 * self.0.len()).filter(is_set).map(|n| n as i64)
+    }
+
+    fn insert(&self, number: i64) {
+        let (word, bit) = (&self.0[number as usize / 64], 1 << (number % 64));
+        if word.load(Ordering::Relaxed) & bit == 0 {
+            word.fetch_or(bit, Ordering::Relaxed);
+        }
+    }
+}
+
+impl World<'_> {
+    /// Traces rays in order; only far triangles count if `far_only`.
+    pub fn trace(&self, rays: &[Ray], far_only: bool, hits: &mut [Hit]) {
+        if far_only {
+            closest_hits(self.scene, rays, &AlphaFilter::new(self.scene, FarOnly(self.partition)), hits);
+        } else {
+            closest_hits(self.scene, rays, &AlphaFilter::new(self.scene, All), hits);
+        }
+    }
+
+    /// Returns whether a hit is on a triangle that is far as a whole.
+    pub fn is_far(&self, hit: &Hit) -> bool {
+        !hit.is_miss() && self.partition.zone(hit.instance, hit.face) == Zone::Far
+    }
+
+    /// Returns whether a hit of a ray from the region is far, and notes the triangle as seen if it is near.
+    pub fn note(&self, hit: &Hit) -> bool {
+        let is_far = self.is_far(hit);
+        if !is_far && !hit.is_miss() {
+            self.seen.insert(self.scene.triangle_offset(hit.instance) + i64::from(hit.face));
+        }
+        is_far
+    }
+
+    /// Returns the bound of a layer baked from a centre.
+    pub fn bound(&self, center: DVec3) -> Bound {
+        Bound::new(center, self.eye, self.reach, self.angle)
+    }
+}
