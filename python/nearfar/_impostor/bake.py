@@ -85,9 +85,9 @@ def bake_impostors(
     counts = zones.summary()
     near_numbers = zones.nsf
     near = scene.subset(triangles=near_numbers) if len(near_numbers) else None
-    tried = _Tried(scene, settings)
-    baked = tried.within(limit) if counts["sf"] > counts["straddling"] else None
-    quads = None if baked is None else baked.quads if limit is None else baked.quads.within(limit)
+    bakes = _Bakes(scene, settings)
+    baked = bakes.choose(limit) if counts["sf"] > counts["straddling"] else None
+    quads = None if baked is None else baked.quads if limit is None else baked.quads.keep_largest(limit)
     far = quads.scene(middle, scene.origin, scene.object_names) if quads is not None and len(quads) else None
     parts = [part for part in (near, far) if part is not None]
     dropped = 0 if baked is None or quads is None else int(baked.quads.texels.sum() - quads.texels.sum())
@@ -104,7 +104,7 @@ def bake_impostors(
         _counts={
             "scene_triangles": scene.triangle_count,
             "missing": 0.0 if baked is None else baked.missing,
-            "bakes": tried.count,
+            "bakes": bakes.count,
             "dropped_quads": 0 if baked is None or quads is None else len(baked.quads) - len(quads),
             "dropped_texels": dropped,
         },
@@ -170,7 +170,7 @@ class _Baked:
     missing: float
 
 
-class _Tried:
+class _Bakes:
     """Bakes of one scene with several errors."""
 
     def __init__(self, scene: Scene, settings: _Settings) -> None:
@@ -178,7 +178,7 @@ class _Tried:
         self.count = 0
         """Number of bakes so far."""
 
-    def within(self, triangles: int | None) -> _Baked:
+    def choose(self, triangles: int | None) -> _Baked:
         """Bake with the least error found that keeps a budget of triangles, or with the greatest if none does."""
         finest = self._bake(self._settings.error_px)
         if triangles is None or len(finest.quads.faces) <= triangles or finest.error_px >= BUDGET_ERROR_PX:

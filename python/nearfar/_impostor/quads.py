@@ -85,7 +85,7 @@ class Quads:
         inside: NDArray[np.int64] = sums[bottom, right] - sums[top, right] - sums[bottom, left] + sums[top, left]
         return inside
 
-    def within(self, triangles: int) -> Self:
+    def keep_largest(self, triangles: int) -> Self:
         """Drop the quads that show fewest texels until at most so many triangles are left; their texels are cleared."""
         if len(self.faces) <= triangles:
             return self
