@@ -109,6 +109,7 @@ def test_one_triangle_becomes_a_quad() -> None:
     ("arguments", "error", "message"),
     [
         ({"center": (0, 0)}, ValueError, "center: expected"),
+        ({"center": (1e31, 0, 0)}, ValueError, r"center: expected coordinates within ±1e\+30 m"),
         ({"center": None}, TypeError, "center: expected"),
         ({"reach": 0}, ValueError, "reach: expected a number above 0"),
         ({"reach": 12.0}, ValueError, "r2: expected more than reach = 12 m, got 12"),

@@ -145,6 +145,8 @@ def _check(
     missing: SupportsFloat,
 ) -> tuple[Point, _Settings]:
     middle = check.vector("center", center)
+    if max(map(abs, middle)) > check.FARTHEST:
+        raise ValueError(f"center: expected coordinates within ±{check.FARTHEST:g} m, got {middle}")
     inner, outer = check.positive("reach", reach), check.positive("r2", r2)
     if not outer > inner:
         raise ValueError(f"r2: expected more than reach = {inner:g} m, got {outer:g}")
