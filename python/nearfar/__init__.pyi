@@ -42,6 +42,8 @@ from ._reduce.walk.plan import regions
 from ._reduce.walk.recentering import Recentering
 from ._reduce.walk.regions import Regions
 from ._reduce.walk.walker import Walk
+from ._impostor.bake import bake_impostors
+from ._impostor.impostors import Impostors
 from ._lens.lens import ChromaticLens, RadialLens, corrected_solid_angle
 from ._lens.warp import WarpMesh
 from .hmd._hmd import Hmd
@@ -62,6 +64,7 @@ __all__ = [
     "Frame",
     "Hits",
     "Hmd",
+    "Impostors",
     "LoadCurve",
     "LoadOptions",
     "MapSettings",
@@ -88,6 +91,7 @@ __all__ = [
     "Walk",
     "WarpMesh",
     "__version__",
+    "bake_impostors",
     "bend_rays",
     "bounding_sphere",
     "bounding_spheres",

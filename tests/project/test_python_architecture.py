@@ -41,6 +41,7 @@ ROOMS = {
     "bounds": "",
     "render": "",
     "reduce": "",
+    "impostor": "",
     "metrics": "",
     "lens": "",
     "hmd": "profiles of headsets, which are read once",
@@ -54,7 +55,7 @@ ROOMS = {
     "cli": "calls of the other stages",
 }
 
-MAX_ENTRIES = 30
+MAX_ENTRIES = 31
 """Maximum number of files and folders in python/nearfar."""
 
 MEDIAN_LINES, MAX_LINES = 150, 400

@@ -260,6 +260,9 @@ class Reduced:
     @property
     def near_bytes(self) -> int: ...
 
+# impostor -----------------------------------------------------------------------------------------------------------
+def bake_impostors(scene: Scene, settings: _Arguments, *, report: _Report = None) -> dict[str, Any]: ...
+
 # metrics ------------------------------------------------------------------------------------------------------------
 _Settings = tuple[str, int, float, tuple[float, float], int, bool, bool, bool]
 

@@ -20,7 +20,7 @@ from nearfar import _core
 from nearfar._base import check, glb
 from nearfar._base.version import __version__
 from nearfar._scene import glb_surfaces
-from nearfar._scene.glb_surfaces import SurfaceWriter
+from nearfar._scene.glb_surfaces import ImageEncoder, SurfaceWriter
 from nearfar._scene.materials import colors_of
 from nearfar._scene.names import Names
 from nearfar._scene.srgb import to_linear
@@ -43,7 +43,13 @@ def encode(core: _core.Scene, names: tuple[str, ...], undrawn: Mapping[int, Gltf
 class Encoder:
     """Writes instances of a scene as glTF nodes, with their meshes, materials and textures."""
 
-    def __init__(self, core: _core.Scene, names: Sequence[str], undrawn: Mapping[int, GltfMaterial]) -> None:
+    def __init__(
+        self,
+        core: _core.Scene,
+        names: Sequence[str],
+        undrawn: Mapping[int, GltfMaterial],
+        encode_image: ImageEncoder = glb_surfaces.png,
+    ) -> None:
         self._parts = _core.scene_parts(core)
         self._ids = core.mesh_ids().tolist()
         self._names = names
@@ -51,7 +57,7 @@ class Encoder:
         self._meshes: list[dict[str, Any]] = []
         self.nodes: list[dict[str, Any]] = []
         """Nodes added so far."""
-        self._surfaces = SurfaceWriter(self._writer, self._parts, undrawn)
+        self._surfaces = SurfaceWriter(self._writer, self._parts, undrawn, encode_image)
         self._written: dict[tuple[int, bool, bool], _GltfMeshes] = {}
 
     def encode(self) -> bytes:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import io
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -33,11 +33,37 @@ _KIND_EXTENSIONS = {
 _PLAIN = GltfMaterial(undrawn_parts.PLAIN)
 
 
+ImageEncoder = Callable[[NDArray[np.uint8]], EncodedImage]
+"""Encodes the texels (H, W, 4) of a scene's texture as an image file."""
+
+_WEBP_SIDE = 16383
+"""Greatest side of a WebP image, pixels."""
+
+
+def png(texels: NDArray[np.uint8]) -> EncodedImage:
+    """Encode texels without loss."""
+    return EncodedImage(encode_image(texels, "png", compress_level=3), "image/png")
+
+
+def webp(quality: int) -> ImageEncoder:
+    """Return an encoder of WebP with loss of colour but not of alpha; ValueError for texels that WebP cannot hold."""
+
+    def encode(texels: NDArray[np.uint8]) -> EncodedImage:
+        if max(texels.shape[:2]) > _WEBP_SIDE:
+            size = f"{texels.shape[1]} x {texels.shape[0]}"
+            raise ValueError(f"textures: expected 'png' for a texture beyond {_WEBP_SIDE} texels a side, {size}")
+        return EncodedImage(encode_image(texels, "webp", quality=quality, method=4), "image/webp")
+
+    return encode
+
+
 class SurfaceWriter:
     """Writes a scene's materials, from the result of `_core.scene_parts`, with the textures that they use."""
 
-    def __init__(self, writer: glb.Writer, parts: dict[str, Any], undrawn: Mapping[int, GltfMaterial]) -> None:
-        self._writer, self._parts, self._undrawn = writer, parts, undrawn
+    def __init__(
+        self, writer: glb.Writer, parts: dict[str, Any], undrawn: Mapping[int, GltfMaterial], encode: ImageEncoder
+    ) -> None:
+        self._writer, self._parts, self._undrawn, self._encode = writer, parts, undrawn, encode
         self._numbers: dict[int, int] = {}
         self._base_images: dict[int, EncodedImage] = {}
         self._samplers: list[dict[str, Any]] = []
@@ -119,9 +145,7 @@ class SurfaceWriter:
         if samplers.from_gltf(json.loads(sampler or "{}")) != drawn:
             sampler = json.dumps(samplers.to_gltf(drawn))
         if texture not in self._base_images:
-            self._base_images[texture] = EncodedImage(
-                encode_image(self._parts["textures"][texture], "png", compress_level=3), "image/png"
-            )
+            self._base_images[texture] = self._encode(self._parts["textures"][texture])
         return self._texture(self._base_images[texture], sampler)
 
     def _texture(self, image: EncodedImage, sampler: str) -> int:

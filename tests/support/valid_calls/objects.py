@@ -39,6 +39,8 @@ LARGE = Scale((2400, 2400), rows=3_000_000, side=1024, cuts=1000)
 SIZE = SMALL.size
 ZONES: dict[str, Any] = {"center": (0.0, 1.0, 0.0), "r1": 2.0, "r2": 4.0}
 EYE = (0.0, 1.0, 3.0)
+FAR: dict[str, Any] = {"reach": 1.0, "r2": 2.0, "face_size": 64, "centers": 1}
+"""Settings of impostors at `EYE` for which the scene has a far part."""
 MATRIX = np.array([[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, -1.0, -0.1], [0.0, 0.0, -1.0, 0.0]])
 """A projection with depth 0..1."""
 
@@ -115,6 +117,11 @@ class Valid:
     def reduced_leveled(self) -> nf.ReducedScene:
         """The scene with levels, reduced."""
         return nf.reduce(self.leveled, **ZONES, face_size=4, samples=1, backend="cpu")
+
+    @functools.cached_property
+    def impostors(self) -> nf.Impostors:
+        """The scene, with its far part as quads."""
+        return nf.bake_impostors(self.scene, center=EYE, **FAR)
 
     @functools.cached_property
     def regions(self) -> nf.Regions:

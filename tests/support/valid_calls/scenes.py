@@ -8,7 +8,7 @@ import numpy as np
 
 import nearfar as nf
 from nearfar._scene.names import Names
-from tests.support.valid_calls.objects import EYE
+from tests.support.valid_calls.objects import EYE, FAR
 from tests.support.valid_calls.values import Make
 
 WALK: dict[str, Any] = {"reach": 0.5, "hysteresis": 0.1}
@@ -56,6 +56,8 @@ SCENES: dict[str, Make] = {
     "regions @area": lambda v: {
         "path": None, "area": [(-0.5, 0.0), (0.5, 1.0)], "budget": v.scene.triangle_count, **WALK,
     },
+    "bake_impostors": lambda v: {"center": EYE, **FAR},
+    "Impostors.save": lambda v: {"path": v.folder / "saved.glb"},
     "datasets.World.query": lambda v: {"detail": 400.0},
     "datasets.city": lambda v: {"detail": 0},
     "datasets.factory": lambda v: {"detail": 0},

@@ -62,6 +62,7 @@ INSTANCES: Mapping[str, Make] = {
     "EnvMap": lambda v: v.env,
     "Frame": lambda v: v.frame,
     "Hmd": lambda v: v.hmd,
+    "Impostors": lambda v: v.impostors,
     "LoadCurve": lambda v: nf.load_curve(v.scene, center=ZONES["center"]),
     "Partition": lambda v: nf.partition(v.scene, **ZONES),
     "RadialLens": lambda v: v.lens,

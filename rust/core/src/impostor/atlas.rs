@@ -10,7 +10,7 @@ use crate::camera::direction_from_face;
 /// Texels around each quad in the atlas, copies of its border, so that look-ups at its edge find its own colours.
 const GUTTER: usize = 1;
 /// Greatest side of an atlas, texels: the limit of WebP and of most adapters.
-const MAX_SIDE: usize = 16384;
+const MAX_SIDE: usize = 16383;
 
 /// Textured triangles.
 #[derive(Debug, Default)]

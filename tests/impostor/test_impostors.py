@@ -1,0 +1,144 @@
+"""The result of a bake: budgets, scenes without a far part, arguments, threads."""
+
+from __future__ import annotations
+
+import pickle
+from typing import Any
+
+import numpy as np
+import pytest
+
+import nearfar as nf
+from tests.support import printed_by_threads
+from tests.support.card_cases import Card
+from tests.support.impostor_cases import CENTER, SETTINGS, view
+
+SMALL: dict[str, Any] = {**SETTINGS, "face_size": 128, "centers": 7}
+
+
+def test_stats_count_what_is_drawn(scene: nf.Scene, impostors: nf.Impostors) -> None:
+    stats = impostors.stats
+    assert impostors.near is not None
+    assert impostors.far is not None
+    assert stats["triangles"] == impostors.triangle_count == impostors.far.triangle_count
+    assert stats["near_triangles"] == impostors.near.triangle_count
+    assert impostors.scene.triangle_count == stats["triangles"] + stats["near_triangles"]
+    assert stats["scene_triangles"] == scene.triangle_count
+    assert sum(count for _, count in impostors.layers) == stats["quads"]
+    assert impostors.layers[0][0] == CENTER
+    assert all(np.linalg.norm(np.subtract(at, CENTER)) <= SETTINGS["reach"] + 1e-9 for at, _ in impostors.layers)
+    width, height = stats["atlas"]
+    assert 0 < stats["texels"] < width * height
+    assert stats["missing"] < 0.005
+    assert impostors.object_names == (*scene.object_names, "impostors")
+    assert f"{stats['quads']} quads" in repr(impostors)
+    assert "texture of all quads" in Card(impostors._repr_html_()).text
+    copy = pickle.loads(pickle.dumps(impostors))
+    assert copy.stats == stats
+
+
+def test_a_budget_increases_the_error_and_then_drops_the_least_visible_quads(scene: nf.Scene) -> None:
+    free = nf.bake_impostors(scene, **SMALL)
+    coarsest = nf.bake_impostors(scene, **SMALL, error_px=8.0)
+    assert coarsest.triangle_count < free.triangle_count
+    budget = free.triangle_count - 1
+    chosen = nf.bake_impostors(scene, **SMALL, triangles=budget)
+    assert chosen.triangle_count <= budget
+    assert free.error_px < chosen.error_px <= 8.0
+    assert chosen.error_px == chosen.stats["error_px"]
+    assert 3 <= chosen.stats["bakes"] <= 5
+    assert chosen.stats["dropped_quads"] == 0
+    # Below what the greatest error allows.
+    budget = coarsest.triangle_count // 2
+    cut = nf.bake_impostors(scene, **SMALL, triangles=budget)
+    assert 0.9 * budget < cut.triangle_count <= budget
+    assert cut.error_px == 8.0
+    all_quads, kept = coarsest._quads, cut._quads
+    assert all_quads is not None
+    assert kept is not None
+    assert cut.stats["dropped_quads"] == len(all_quads) - len(kept) > 0
+    assert cut.stats["dropped_texels"] == coarsest.stats["texels"] - cut.stats["texels"]
+    np.testing.assert_array_equal(np.sort(all_quads.texels)[::-1][: len(kept)], np.sort(kept.texels)[::-1])
+    drawn = {tuple(corner) for corner in np.asarray(kept.vertices).tolist()}
+    assert drawn < {tuple(corner) for corner in np.asarray(all_quads.vertices).tolist()}
+
+
+def test_texels_are_counted_in_each_quads_rectangle(impostors: nf.Impostors) -> None:
+    quads = impostors._quads
+    assert quads is not None
+    height, width = quads.atlas.shape[:2]
+    for number in range(0, len(quads), 7):
+        s, t = (quads.uvs[np.unique(quads.faces[quads.owners == number])] * (width, height)).T
+        rows, columns = slice(round(height - t.max()), round(height - t.min())), slice(round(s.min()), round(s.max()))
+        assert quads.texels[number] == (quads.atlas[rows, columns, 3] >= 128).sum() > 0
+
+
+def test_a_scene_without_anything_beyond_r2_has_no_quads(scene: nf.Scene, tmp_path: Any) -> None:
+    near = nf.bake_impostors(scene, **{**SETTINGS, "r2": 300.0})
+    assert (near.far, near.triangle_count, near.layers) == (None, 0, ())
+    assert near.stats["bakes"] == near.stats["quads"] == 0
+    assert "no static triangle beyond 300 m is seen" in repr(near)
+    assert "is seen" in Card(near._repr_html_()).text
+    camera = view(np.array(CENTER))
+    truth, frame = (nf.render(shown, camera, channels=("color",)) for shown in (scene, near))
+    np.testing.assert_array_equal(truth.require("color"), frame.require("color"))
+    with pytest.raises(ValueError, match="save: expected impostors with quads"):
+        near.save(tmp_path / "far.glb")
+    empty = nf.bake_impostors(scene.subset(triangles=[]), **SETTINGS)
+    assert (empty.near, empty.far, empty.scene.triangle_count) == (None, None, 0)
+
+
+def test_one_triangle_becomes_a_quad() -> None:
+    scene = nf.Scene.from_arrays([[-6, -2, -30], [6, -2, -30], [0, 8, -30]], [[0, 1, 2]], object_names=["impostors"])
+    settings: dict[str, Any] = {"center": (0, 0, 0), "reach": 2.0, "r2": 20.0, "face_size": 128}
+    baked = nf.bake_impostors(scene, **settings)
+    assert baked.near is None
+    assert 2 <= baked.triangle_count <= 40
+    assert baked.object_names == ("impostors_2",)
+    for user in ((0.0, 0.0, 0.0), (1.2, 0.5, -1.0)):
+        camera = view(np.array(user))
+        truth, frame = (nf.render(shown, camera, samples=4, channels=("color",)) for shown in (scene, baked))
+        assert nf.psnr(truth, frame) > 36
+    none = nf.bake_impostors(scene, **settings, triangles=1)
+    assert none.far is None
+    assert none.stats["dropped_texels"] > 0
+    assert "the budget of triangles leaves none" in repr(none)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "error", "message"),
+    [
+        ({"center": (0, 0)}, ValueError, "center: expected"),
+        ({"center": (1e31, 0, 0)}, ValueError, r"center: expected coordinates within ±1e\+30 m"),
+        ({"center": None}, TypeError, "center: expected"),
+        ({"reach": 0}, ValueError, "reach: expected a number above 0"),
+        ({"reach": 12.0}, ValueError, "r2: expected more than reach = 12 m, got 12"),
+        ({"r2": np.nan}, ValueError, "r2: expected a finite number"),
+        ({"error_px": 0}, ValueError, "error_px: expected a number above 0"),
+        ({"error_px": 101}, ValueError, "error_px: expected a number from 0 to 100"),
+        ({"face_size": 63}, ValueError, "face_size: expected a whole number from 64"),
+        ({"face_size": 64.5}, TypeError, "face_size: expected a whole number"),
+        ({"centers": 0}, ValueError, "centers: expected a whole number from 1"),
+        ({"missing": -0.1}, ValueError, "missing: expected a number from 0 to 1"),
+        ({"triangles": 0}, ValueError, "triangles: expected a whole number from 1"),
+        ({"triangles": "many"}, TypeError, "triangles: expected a whole number"),
+        ({"scene": 3}, TypeError, "scene: expected a Scene"),
+    ],
+)
+def test_bad_arguments_are_named(
+    scene: nf.Scene, arguments: dict[str, Any], error: type[Exception], message: str
+) -> None:
+    with pytest.raises(error, match=message):
+        nf.bake_impostors(**{"scene": scene, **SETTINGS, **arguments})
+
+
+def test_results_do_not_depend_on_threads() -> None:
+    code = """
+import hashlib
+import nearfar as nf
+from tests.support.impostor_cases import SETTINGS, yard
+baked = nf.bake_impostors(yard(), **{**SETTINGS, "face_size": 64, "centers": 2})
+quads = baked._quads
+print([hashlib.sha256(getattr(quads, name).tobytes()).hexdigest() for name in ("vertices", "uvs", "faces", "atlas")])
+"""
+    assert len(printed_by_threads(code, "12")) == 1
