@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import io
 import itertools
+import zipfile
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +15,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 import nearfar as nf
+from nearfar._scene.load import wrap_notes
 from nearfar._scene.srgb import to_srgb
 from tests.support import need
 from tests.support.gltf_cases import decode
@@ -215,3 +217,17 @@ def test_three_js_draws_the_same_pictures_of_exported_bundles(tmp_path: Path) ->
         wanted = np.rint(255 * to_srgb(expected(codes))).astype(int)
         # GPUs filter with weights in steps of 1/256, and convert to sRGB by a formula of their own.
         assert (np.abs(seen - wanted) <= 3).mean() > 0.99, name
+
+
+def test_other_wrap_modes_of_collada_are_counted() -> None:
+    def sampler(*modes: str) -> str:
+        wraps = "".join(f"<wrap_{axis}>{mode}</wrap_{axis}>" for axis, mode in zip("st", modes, strict=False))
+        return f"<newparam><sampler2D><source>image</source>{wraps}</sampler2D></newparam>"
+
+    document = "".join(sampler(*modes) for modes in ((), ("WRAP", "WRAP"), ("WRAP", "CLAMP"), ("MIRROR", "BORDER")))
+    archive = io.BytesIO()
+    with zipfile.ZipFile(archive, "w") as members:
+        members.writestr("scene.dae", document)
+    expected = ["2 textures with clamped or mirrored sides repeated"]
+    assert wrap_notes(document.encode()) == wrap_notes(archive.getvalue()) == expected
+    assert wrap_notes(sampler("WRAP").encode()) == []
