@@ -9,7 +9,7 @@ import sys
 
 import pytest
 
-from tests.support.growing_memory import CALLS
+from tests.support.growing_memory import FRACTIONS
 from tests.support.short_memory import LARGEST, REFUSAL, RESULT, SHORTAGE, Outcome
 from tests.support.valid_calls.calls import CALLABLES
 

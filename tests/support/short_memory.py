@@ -34,17 +34,19 @@ HEADROOM = 64 << 20
 """Bytes without which kernels begin no work."""
 
 RESULT, REFUSAL, SHORTAGE, LEFTOVER, FAULT = 0, 3, 4, 5, 6
-"""Exit codes of children: the call returned, raised MemoryError with a size, raised another exception about memory, left
-files although it raised an exception, raised an exception about something else."""
+"""Exit codes of children: the call returned, raised MemoryError with a size, raised another exception about memory,
+left files although it raised an exception, raised an exception about something else."""
 
 Call = Callable[[], BaseException | None]
 """A call, which returns its exception."""
 
-SECONDS = 120
+SECONDS = 300
 """Time after which a child counts as hung; the longest takes a tenth."""
 
-SIZE = re.compile(r"needs \d+ bytes|takes [\d.]+ GB|Unable to allocate [\d.]+ [KMG]iB")
-"""Sizes in messages of kernels, of Python code that foresees a result, and of NumPy."""
+SIZE = re.compile(
+    r"needs \d+ bytes|takes [\d.]+ GB|simplifying [\d,]+ triangles needs|Unable to allocate [\d.]+ [KMG]iB"
+)
+"""Sizes in messages of kernels, of Python code about a result or a package, and of NumPy."""
 
 ABOUT_MEMORY = re.compile(r"[Mm]emory|[Aa]llocate|start new thread|Errno 12\b")
 """Parts of messages about memory of exceptions other than MemoryError."""
@@ -111,35 +113,42 @@ class Trial:
     def __init__(self, name: str, call: Call) -> None:
         self._name, self._call = name, call
 
-    def outcome(self, fractions: tuple[float, ...]) -> Outcome:
-        """Measure the call's need and run it with fractions of it."""
+    def outcome(self, fractions: tuple[float, ...], least_bytes: int) -> Outcome:
+        """Measure the call's need and run it with fractions of it if it is large enough."""
         reader, writer = os.pipe()
-        status = self._run(lambda: _measure(self._call, writer))
-        os.close(writer)
-        bytes_needed = int(os.read(reader, 100) or 0)
-        os.close(reader)
-        if status:
-            return Outcome(0, [status])
-        rooms = [HEADROOM // 2]
-        if bytes_needed > HEADROOM // 4:
-            rooms += [HEADROOM + int(fraction * bytes_needed) for fraction in fractions]
-            rooms.append(2 * (HEADROOM + bytes_needed))
-        return Outcome(bytes_needed, [self._run(self._call, room) for room in rooms])
+        with tempfile.TemporaryDirectory(dir=Path.cwd().parent) as backup:
+            shutil.copytree(".", backup, copy_function=os.link, dirs_exist_ok=True)
+            status = self._run(lambda: _measure(self._call, writer), Path(backup))
+            os.close(writer)
+            bytes_needed = int(os.read(reader, 100) or 0)
+            os.close(reader)
+            if status:
+                return Outcome(0, [status])
+            rooms = [HEADROOM // 2]
+            if bytes_needed > least_bytes:
+                rooms += [HEADROOM + int(fraction * bytes_needed) for fraction in fractions]
+                rooms.append(2 * (HEADROOM + bytes_needed))
+            return Outcome(bytes_needed, [self._run(self._call, Path(backup), room) for room in rooms])
 
-    def _run(self, call: Call, room: int | None = None) -> int:
+    def _run(self, call: Call, backup: Path, room: int | None = None) -> int:
         """Run a call in a child that may allocate `room` bytes; returns its exit code, negative for a signal.
 
-        New files are removed, so that each child begins with the same folder.
+        The folder's files are then those of the backup again, so that each child begins with the same ones.
         """
-        before = _files()
         status = self._status(call, room)
-        after = _files()
-        if left := sorted(path for path, version in after.items() if before.get(path) != version):
-            if status in (REFUSAL, SHORTAGE) and not self._name.startswith(RESUMED):
-                print(f"{self._name}: left {left[0]} and {len(left) - 1} more", file=sys.stderr)
-                status = LEFTOVER
-            for path in set(after) - set(before):
-                shutil.rmtree(path) if path.is_dir() else path.unlink(missing_ok=True)
+        changed = [path for path in _files(Path()) if not _is_same(path, backup / path)]
+        if changed and status in (REFUSAL, SHORTAGE) and not self._name.startswith(RESUMED):
+            print(f"{self._name}: left {changed[0]} and {len(changed) - 1} more", file=sys.stderr)
+            status = LEFTOVER
+        for path in changed:
+            path.unlink()
+        for path in _files(backup):
+            if not (here := path.relative_to(backup)).exists():
+                here.parent.mkdir(parents=True, exist_ok=True)
+                os.link(path, here)
+        for folder in sorted((path for path in Path().rglob("*") if path.is_dir()), reverse=True):
+            if not (backup / folder).exists():
+                folder.rmdir()
         return status
 
     def _status(self, call: Call, room: int | None) -> int:
@@ -164,10 +173,14 @@ class Trial:
             os._exit(status)
 
 
-def _files() -> dict[Path, tuple[int, int]]:
-    """Files and folders below the current one, with time and size of the files."""
-    paths = ((path, path.stat()) for path in Path().rglob("*"))
-    return {path: (0, 0) if path.is_dir() else (stat.st_mtime_ns, stat.st_size) for path, stat in paths}
+def _files(folder: Path) -> list[Path]:
+    """Return the files in a folder and its folders."""
+    return [path for path in folder.rglob("*") if not path.is_dir()]
+
+
+def _is_same(path: Path, other: Path) -> bool:
+    """Return whether two paths are one file; files are written aside and renamed, so that changed ones are new."""
+    return other.exists() and path.samefile(other)
 
 
 def _measure(call: Call, writer: int) -> BaseException | None:
@@ -229,13 +242,16 @@ def trials(stage: str, chosen: list[str]) -> Iterator[tuple[str, Trial]]:
 def main() -> None:
     """Print the outcomes of the calls of a stage, or of those that the arguments name."""
     stage, *chosen = sys.argv[1:]
-    with tempfile.TemporaryDirectory() as folder, contextlib.chdir(folder):
+    with tempfile.TemporaryDirectory() as top, contextlib.chdir(top):
+        Path("work").mkdir()
+        os.chdir("work")
         for name in ("small", "large", "temporary"):
             Path(name).mkdir()
         tempfile.tempdir = str(Path("temporary").resolve())
-        fractions = growing_memory.FRACTIONS if stage == "growing" else FRACTIONS
+        of_growing = (growing_memory.FRACTIONS, growing_memory.LEAST_BYTES)
+        settings = of_growing if stage == "growing" else (FRACTIONS, HEADROOM // 4)
         for name, trial in trials(stage, chosen):
-            print(json.dumps([name, *trial.outcome(fractions)]), flush=True)
+            print(json.dumps([name, *trial.outcome(*settings)]), flush=True)
 
 
 if __name__ == "__main__":
