@@ -115,6 +115,7 @@ def test_leaves_wait_for_a_texture_that_another_one_has_requested() -> None:
     wall = Request("geometry/images/ab.webp", 10)
     first, second = (0, (0, 0, 0), GEOMETRY), (0, (1, 0, 0), GEOMETRY)
     requests = {first: [Request("geometry/a.glb", 1), wall], second: [Request("geometry/b.glb", 2), wall]}
+    plan = Plan({(0, part[1]): [part] for part in requests}, list(requests), 1.0)
     link = Link(1e6, rtt_ms=1000.0, handshake=0.0)
     received = {}
     for threads, max_bytes in ((2, 10), (2, 0), (1, 10)):
@@ -122,7 +123,6 @@ def test_leaves_wait_for_a_texture_that_another_one_has_requested() -> None:
         store = SimpleNamespace(
             list_requests=requests.__getitem__, receive=lambda part: None, opened=SimpleNamespace(viewer=reads)
         )
-        plan = Plan({(0, part[1]): [part] for part in requests}, list(requests), 1.0)
         client = Client(
             lambda *_: plan, cast(FlightRequests, store), Transport(link, at_once=threads), threads, 1 << 30
         )

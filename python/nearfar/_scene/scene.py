@@ -66,8 +66,8 @@ class Scene(PartsMixin, RenderMixin):
         (.city.json, .city.jsonl), extruded footprints of GeoJSON and GeoParquet, and gzip files (``.ply.gz``). Nodes
         become objects. `report` lists what is not drawn; files written from the scene nevertheless include it.
         SceneError for a file that is unusable or unpacks to too much, which the message names with the reason;
-        ValueError and TypeError for options out of range, or an option for files of another kind; MemoryError for a file
-        that memory cannot hold; OSError for one that cannot be opened.
+        ValueError and TypeError for options out of range, or an option for files of another kind; MemoryError for a
+        file that memory cannot hold; OSError for one that cannot be opened.
 
         Parameters
         ----------
