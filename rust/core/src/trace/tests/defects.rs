@@ -1,6 +1,5 @@
 //! Cases that other ray tracers get wrong.
 
-
 use rayon::prelude::*;
 
 use super::*;
