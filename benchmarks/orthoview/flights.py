@@ -26,7 +26,7 @@ from nearfar.orthoview._cut import GEOMETRY, Cutter, Part, Settings
 from nearfar.orthoview._flight import THREADS
 from nearfar.orthoview._meter import LinkTotals
 from nearfar.orthoview._pilot import Plan
-from nearfar.orthoview._requests import FlightRequests
+from nearfar.orthoview._requests import FlightRequests, Request
 from nearfar.orthoview._simulate import Client, fly_through
 from nearfar.stream._transport import Transport
 
@@ -151,6 +151,7 @@ def _parts_per_metre(tree: nf.orthoview.OrthoTree, height: float) -> list[dict[P
     requests = FlightRequests(tree)
     cutter, grid, metres = requests.opened.viewer.cutter, requests.opened.grid, 400
     facts: dict[Part, tuple[int, float]] = {}
+    textures: set[Request] = set()
     parts_by_metre = []
     for metre in range(metres + 1):
         eye = np.array([START[0] - metres / 2 + metre, height, START[1]])
@@ -159,7 +160,9 @@ def _parts_per_metre(tree: nf.orthoview.OrthoTree, height: float) -> list[dict[P
         leaves = cutter.with_guests(cut.leaf_places(in_picture=True))
         parts: list[Part] = [*((0, place, GEOMETRY) for place in leaves), *cut.keys(in_picture=True)]
         for part in (part for part in parts if part not in facts):
-            size = sum(request.bytes for request in requests.list_requests(part))
+            new_requests = {*requests.list_requests(part)} - textures
+            textures |= {request for request in new_requests if request.is_texture}
+            size = sum(request.bytes for request in new_requests)
             middle = grid.box(part[0], part[1]).mean(axis=0) - [START[0], 0.0, START[1]]
             facts[part] = size, float(np.abs(middle[[0, 2]]).max())
         parts_by_metre.append({part: facts[part] for part in parts})

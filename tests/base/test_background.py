@@ -157,6 +157,7 @@ ENDS: dict[str, Callable[[], str]] = {
     "Python": lambda: "background.run(lambda: exec('while True: pass'))",
     "code that catches all": lambda: "background.run(careless)",
     "a compiled function": lambda: "background.run(lambda: time.sleep(20))",
+    "code in a destructor": lambda: "background.run(lambda: [None for _ in iter(Slow, None)])",
 }
 
 
@@ -173,8 +174,13 @@ def careless():
         except BaseException:
             pass
 
-threading.Timer(0.3, os.kill, [os.getpid(), signal.SIGINT]).start()
+class Slow:
+    def __del__(self):
+        time.sleep(0.01)
+        time.sleep(0.01)
+
 try:
+    threading.Timer(0.3, os.kill, [os.getpid(), signal.SIGINT]).start()
     {ENDS[name]()}
     time.sleep(9)
 except KeyboardInterrupt:

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from types import SimpleNamespace
+from typing import Any, cast
 
 import numpy as np
 import pytest
 
 import nearfar as nf
-from nearfar.orthoview._cut import Part
+from nearfar.orthoview._cut import GEOMETRY, Part
 from nearfar.orthoview._pilot import Pilot, Plan, PrefetchSettings
 from nearfar.orthoview._requests import FlightRequests, Request
 from nearfar.orthoview._simulate import Client, Value, fly_through
@@ -107,6 +108,28 @@ def test_simulated_threads_have_one_request_each(tree: Tree) -> None:
     settled = nf.orthoview.simulate(tree, still(150), link=link, rate=1.0, threads=8, prefetch=False)
     arrivals = np.flatnonzero(np.diff(settled.received))
     assert len(arrivals) >= settled.requests / 8
+
+
+def test_leaves_wait_for_a_texture_that_another_one_has_requested() -> None:
+    """Responses take a second. Two threads want the texture after one; without a cache each reads it."""
+    wall = Request("geometry/images/ab.webp", 10)
+    first, second = (0, (0, 0, 0), GEOMETRY), (0, (1, 0, 0), GEOMETRY)
+    requests = {first: [Request("geometry/a.glb", 1), wall], second: [Request("geometry/b.glb", 2), wall]}
+    plan = Plan({(0, part[1]): [part] for part in requests}, list(requests), 1.0)
+    link = Link(1e6, rtt_ms=1000.0, handshake=0.0)
+    received = {}
+    for threads, max_bytes in ((2, 10), (2, 0), (1, 10)):
+        reads = SimpleNamespace(near=SimpleNamespace(max_bytes=max_bytes))
+        store = SimpleNamespace(
+            list_requests=requests.__getitem__, receive=lambda part: None, opened=SimpleNamespace(viewer=reads)
+        )
+        client = Client(
+            lambda *_: plan, cast(FlightRequests, store), Transport(link, at_once=threads), threads, 1 << 30
+        )
+        received[threads, max_bytes] = fly_through(client, path(5), 0.9).received.tolist()
+        assert len(client.requested) == (4 if max_bytes == 0 else 3)
+    # Frames come every 1.1 s. One thread needs three responses one after the other.
+    assert received == {(2, 10): [0, 0, 13, 13, 13], (2, 0): [0, 0, 11, 23, 23], (1, 10): [0, 0, 11, 13, 13]}
 
 
 def test_simulations_are_deterministic(tree: Tree) -> None:

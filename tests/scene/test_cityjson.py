@@ -189,7 +189,8 @@ def surfaces_of(document: Any) -> Surfaces:
 def test_areas_of_a_real_model_equal_newell() -> None:
     document = json.loads(data_file(THREE).read_bytes())
     surfaces = surfaces_of(document)
-    faces, ends = surfaces.triangles()
+    faces, ends, crossing = surfaces.triangles()
+    assert crossing == 0
     local = surfaces.local()
     off = 0
     assert len(surfaces.surfaces) - 1 > 5000
@@ -232,3 +233,9 @@ def test_invalid_surfaces_are_an_error_or_omitted(tmp_path: Path) -> None:
     scene = load(tmp_path, document, on_invalid="drop")
     assert scene.triangle_count == 24
     assert "1 surface with rings of fewer than three corners left out" in scene.report.notes
+
+
+def test_surfaces_with_rings_that_cross_are_counted(tmp_path: Path) -> None:
+    bows = {"type": "MultiSurface", "lod": "2", "boundaries": [[[0, 2, 1, 3]], [[4, 6, 5, 7]], [[0, 1, 5, 4]]]}
+    scene = load(tmp_path, city({"a": {"type": "Building", "geometry": [bows]}}))
+    assert "2 surfaces with rings that cross drawn with gaps or overlaps" in scene.report.notes

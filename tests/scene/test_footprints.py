@@ -128,6 +128,13 @@ def test_many_polygons_are_one_object(tmp_path: Path) -> None:
     assert "1 geometry of points or lines ignored" in scene.report.notes
 
 
+def test_outlines_that_cross_are_counted(tmp_path: Path) -> None:
+    bow = [square(X, Y, 10)[number] for number in (0, 2, 1, 3, 0)]
+    rows = collection(feature([bow], height=3), feature([square(X + 20, Y, 10)], height=3))
+    note = "1 polygon with rings that cross drawn with gaps or overlaps"
+    assert note in load(tmp_path, rows).report.notes
+
+
 def test_objects_without_ids_are_numbered(tmp_path: Path) -> None:
     scene = load(tmp_path, collection(feature([square(X, Y, 10)]), feature([square(X + 20, Y, 10)])))
     assert scene.object_names == ("object_0", "object_1")

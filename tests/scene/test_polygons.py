@@ -77,7 +77,8 @@ def in_polygon(polygon: Sequence[Ring], points: NDArray[np.float64]) -> NDArray[
 def test_areas_equal_the_shoelace_formula_and_triangles_lie_inside() -> None:
     made = polygons(3, 300)
     points, rings, runs = packed(made)
-    faces, ends = _core.triangulate_polygons(points, rings, runs)
+    faces, ends, crossing = _core.triangulate_polygons(points, rings, runs)
+    assert crossing == 0
     assert (areas(points, faces) > -1e-9).all()
     for number, polygon in enumerate(made):
         own = faces[ends[number] : ends[number + 1]]
@@ -90,7 +91,7 @@ def test_areas_equal_the_shoelace_formula_and_triangles_lie_inside() -> None:
 def test_triangle_counts_equal_mapbox() -> None:
     made = polygons(5, 500)
     points, rings, runs = packed(made)
-    _, ends = _core.triangulate_polygons(points, rings, runs)
+    _, ends, _ = _core.triangulate_polygons(points, rings, runs)
     counts = []
     for polygon in made:
         local = np.concatenate(polygon) - polygon[0][0]
@@ -105,13 +106,34 @@ def test_degenerate_rings_are_triangulated() -> None:
     bow = np.array([[0.0, 0], [4, 4], [4, 0], [0, 4]])
     touching = np.array([[0.0, 0], [2, 2], [4, 0], [4, 4], [2, 2], [0, 4]])
     points, rings, runs = packed([[line], [twice], [bow], [touching], [twice[:2], line], []])
-    faces, ends = _core.triangulate_polygons(points, rings, runs)
+    faces, ends, crossing = _core.triangulate_polygons(points, rings, runs)
+    assert crossing == 1
     sums = [areas(points, faces[a:b]).sum() for a, b in itertools.pairwise(ends)]
     assert sums[0] == 0
     assert sums[1] == 16
     assert 0 < sums[2] <= 16
     assert sums[3] == 8
     assert sums[4:] == [0, 0]
+
+
+def test_polygons_whose_rings_cross_are_counted() -> None:
+    """At any place and size; holes that overlap, or lie outside, are not between the rings either."""
+    bow = np.array([[0.0, 0], [4, 4], [4, 0], [0, 4]])
+    hook = np.array([[0.0, 0], [4, 0], [4, 4], [1, 4], [1, -1], [0, -1]])
+    square, hole = (np.array([[0.0, 0], [1, 0], [1, 1], [0, 1]]) * size for size in (9, 2))
+    wrong = [
+        [bow],
+        [hook],
+        [square, hole + 1, hole + 2],
+        [square, hole + 8],
+        [square, hole + 20],
+        [square, bow * [1, 0.5] + 1, hook + 3],
+    ]
+    for scale, place in itertools.product((1e-3, 1.0, 1e3), ([0.0, 0.0], [85e3, 447e3])):
+        made = [[ring * scale + place for ring in polygon] for polygon in [*wrong, [square, hole + 1, hole + 4]]]
+        points, rings, runs = packed(made)
+        assert _core.triangulate_polygons(points, rings, runs)[2] == len(wrong)
+        assert _core.polygon_prisms(points, rings, runs, np.zeros(len(made), bool))[2] == len(wrong)
 
 
 @pytest.mark.parametrize("wrong", [np.nan, np.inf, -1e31])
@@ -133,7 +155,7 @@ def test_inconsistent_offsets_are_refused() -> None:
 def test_random_rings_are_triangulated(corners: list[tuple[int, int]], cut: int) -> None:
     points = np.array(corners, np.float64)
     rings = np.array([0, min(cut, len(points)), len(points)])
-    faces, ends = _core.triangulate_polygons(points, rings, np.array([0, 2]))
+    faces, ends, _ = _core.triangulate_polygons(points, rings, np.array([0, 2]))
     assert ends[-1] == len(faces) <= 3 * len(points)
     assert (areas(points, faces) >= 0).all()
 
@@ -151,7 +173,7 @@ def test_surfaces_in_space_keep_their_area_and_their_side() -> None:
             sizes.append(len(ring))
         counts.append(len(polygon))
     surfaces = Surfaces(np.concatenate(rows), offsets(sizes), offsets(counts))
-    faces, ends = surfaces.triangles()
+    faces, ends, _ = surfaces.triangles()
     a, b, c = np.moveaxis(surfaces.local()[faces], 1, 0)
     halves = np.cross(b - a, c - a) / 2
     newell = np.add.reduceat(surfaces.area_vectors(), surfaces.surfaces[:-1])
@@ -190,7 +212,8 @@ def test_prisms_are_closed_and_face_outwards() -> None:
     made = polygons(17, 50)
     points, rings, runs = packed(made)
     floors = np.ones(len(made), bool)
-    faces, ends = _core.polygon_prisms(points, rings, runs, floors)
+    faces, ends, crossing = _core.polygon_prisms(points, rings, runs, floors)
+    assert crossing == 0
     for number, polygon in enumerate(made):
         first = points[rings[runs[number]]]
         corners = np.c_[np.tile(points - first, (2, 1)), np.repeat([0.0, 5.0], len(points))]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import io
 import itertools
+import zipfile
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +15,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 import nearfar as nf
+from nearfar._scene.load import wrap_notes
 from tests.support.gltf_cases import decode, load
 from tests.support.gltf_writer import Writer
 from tests.support.gpu_cases import ADAPTERS, adapter
@@ -188,3 +190,17 @@ def test_wavefront_clamps(tmp_path: Path) -> None:
         nf.lod.export(scene, tmp_path / "a.glb", view=FOV)
         for written in (scene, nf.Scene.load(tmp_path / "a.glb")):
             assert nf._core.scene_parts(written._core)["texture_samplers"].tolist() == [[wrap, wrap, LINEAR]]
+
+
+def test_other_wrap_modes_of_collada_are_counted() -> None:
+    def sampler(*modes: str) -> str:
+        wraps = "".join(f"<wrap_{axis}>{mode}</wrap_{axis}>" for axis, mode in zip("st", modes, strict=False))
+        return f"<newparam><sampler2D><source>image</source>{wraps}</sampler2D></newparam>"
+
+    document = "".join(sampler(*modes) for modes in ((), ("WRAP", "WRAP"), ("WRAP", "CLAMP"), ("MIRROR", "BORDER")))
+    archive = io.BytesIO()
+    with zipfile.ZipFile(archive, "w") as members:
+        members.writestr("scene.dae", document)
+    expected = ["2 textures with clamped or mirrored sides repeated"]
+    assert wrap_notes(document.encode()) == wrap_notes(archive.getvalue()) == expected
+    assert wrap_notes(sampler("WRAP").encode()) == []

@@ -12,6 +12,7 @@ import atexit
 import contextlib
 import contextvars
 import importlib
+import itertools
 import os
 import queue
 import sys
@@ -28,8 +29,8 @@ Result = TypeVar("Result")
 _POLL = 0.05
 """Seconds between two checks for signals; on some systems a signal does not end a wait."""
 
-_END_TIMEOUT = 0.3
-"""Seconds that the end of the program waits for an abandoned thread."""
+_END_TIMEOUT, _END_INTERRUPTS = 0.3, 10
+"""Seconds that the end of the program waits for an abandoned thread, and least number of interrupts that it sends."""
 
 
 class _Ended(SystemExit):
@@ -84,10 +85,16 @@ class _Task:
             del error
 
     def end(self, deadline: float) -> None:
-        """Interrupt the work repeatedly, since it may catch the exception, until it ends or the deadline passes."""
+        """Interrupt the work repeatedly, since it may catch the exception, until it ends or the deadline passes.
+
+        The least number of interrupts counts from the first one: the thread may hold the interpreter beyond the
+        deadline, for example while it loads a library.
+        """
         import ctypes
 
-        while self.is_running and time.monotonic() < deadline:
+        for number in itertools.count():
+            if not self.is_running or (number >= _END_INTERRUPTS and time.monotonic() >= deadline):
+                return
             ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(self._thread), ctypes.py_object(_Ended))
             time.sleep(_POLL / 5)
 
@@ -200,6 +207,14 @@ def module(name: str) -> ModuleType:
 @atexit.register
 def _end() -> None:
     """End abandoned work before interpreter shutdown, which would freeze threads at any place."""
+    hook = sys.unraisablehook
+
+    def ignore_ended(unraisable: sys.UnraisableHookArgs) -> None:
+        # Python prints exceptions in destructors and in callbacks of weak references; each import has such a callback.
+        if unraisable.exc_type is not _Ended:
+            hook(unraisable)
+
+    sys.unraisablehook = ignore_ended
     deadline = time.monotonic() + _END_TIMEOUT
     for task in _running(_tasks):
         task.end(deadline)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import errno
 import io
 import os
+import re
 import zipfile
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -21,6 +22,7 @@ from nearfar._scene.gltf.document import read as read_gltf
 from nearfar._scene.materials import Materials
 from nearfar._scene.options import LoadOptions
 from nearfar._scene.reasons import explained
+from nearfar._scene.report import count
 from nearfar._scene.tileset import tileset as tiles
 
 
@@ -93,10 +95,28 @@ def _read(path: Path, data: bytes, options: LoadOptions, budget: Budget) -> Cont
         content = load_off.read(label, data)
     else:
         content = load_trimesh.read(label, load_trimesh.parse(data, kind, resolver), materials)
+        if kind in ("dae", "zae"):
+            content.notes += wrap_notes(data)
     content.used.insert(0, _FORMAT_NAMES.get(kind, kind.upper()))
     if len(content.nodes.objects) == 1 and content.nodes.objects[0] in (path.name, "geometry_0", "geometry"):
         content.nodes = replace(content.nodes, objects=[name])
     return content
+
+
+_NOT_REPEATED = re.compile(rb"<([\w.-]+:)?wrap_[st]\s*>\s*(MIRROR|CLAMP|BORDER|NONE)\b")
+"""Entry of a COLLADA sampler that does not repeat the image along an axis."""
+
+
+def wrap_notes(data: bytes) -> list[str]:
+    """Note on samplers of a COLLADA document, or of one in an archive, that trimesh does not pass on."""
+    documents = [data]
+    if data.startswith(b"PK"):
+        with zipfile.ZipFile(io.BytesIO(data)) as archive:
+            documents = [archive.read(name) for name in archive.namelist() if name.lower().endswith(".dae")]
+    # Texts between two tags, every other of which is the content of an element.
+    samplers = (text for document in documents for text in document.split(b"sampler2D")[1::2])
+    number = sum(_NOT_REPEATED.search(sampler) is not None for sampler in samplers)
+    return [f"{count(number, 'texture')} with clamped or mirrored sides repeated"] if number else []
 
 
 _INSTANCE_BYTES = 1 << 14

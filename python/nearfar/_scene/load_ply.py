@@ -118,6 +118,8 @@ def _image(name: str, resolver: Any, notes: list[str]) -> Any:
 
     try:
         return Image.open(io.BytesIO(resolver.get(name)))
+    except MemoryError:
+        raise
     except Exception:  # resolvers and Pillow may raise any type
         notes.append(f"texture {check.shortened(name)} cannot be read, drawn without it")
         return None

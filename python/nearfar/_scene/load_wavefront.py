@@ -113,6 +113,8 @@ def _library(names: list[str], files: TextureFiles) -> tuple[dict[str, Any], lis
             for entries in material_entries.values():
                 _add_emission(entries, files)
             new_materials = {key: SimpleMaterial(**entries) for key, entries in material_entries.items()}
+        except MemoryError:
+            raise
         except Exception:  # resolvers, trimesh and Pillow may raise any type
             notes.append(f"material file {check.shortened(name)} cannot be read, drawn without it")
             continue
@@ -125,6 +127,8 @@ def _library(names: list[str], files: TextureFiles) -> tuple[dict[str, Any], lis
                 )
             try:
                 Image.open(io.BytesIO(files.open(statement.file)))
+            except MemoryError:
+                raise
             except Exception:
                 notes.append(f"texture {check.shortened(statement.file)} cannot be read, drawn without it")
     return library, notes

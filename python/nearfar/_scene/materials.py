@@ -165,6 +165,8 @@ def _encode_png(image: Any, sampler: str = "") -> TextureSource | None:
     file = io.BytesIO()
     try:
         image.save(file, "png", compress_level=1)
+    except MemoryError:
+        raise
     except Exception:  # Pillow's decoders raise errors of any type
         return None
     return TextureSource(EncodedImage(file.getvalue(), "image/png"), sampler)
@@ -293,6 +295,8 @@ def texels_of(data: bytes) -> NDArray[np.uint8] | None:
     try:
         with Image.open(io.BytesIO(data)) as image:
             return _decode(image)
+    except MemoryError:
+        raise
     except Exception:  # Pillow's decoders raise errors of any type
         return None
 
@@ -307,5 +311,8 @@ def _decode(image: Any) -> NDArray[np.uint8] | None:
             image = Image.fromarray((np.asarray(image) >> 8).astype(np.uint8))
         # Pillow's decoders raise OSError, SyntaxError, ValueError, struct.error, zlib.error and others.
         return np.asarray(image.convert("RGBA"))
+    except MemoryError:
+        width, height = image.size
+        raise MemoryError(f"its image of {width} × {height} pixels needs {4 * width * height} bytes") from None
     except Exception:
         return None

@@ -16,11 +16,16 @@ from nearfar._base.errors import SceneError, UnusableError
 
 @contextmanager
 def explained(label: str, *, passed: type[Exception] = SceneError) -> Iterator[None]:
-    """Convert a reader's exception to a SceneError that names the file and gives the reason in one sentence."""
+    """Convert a reader's exception to a SceneError that names the file and gives the reason in one sentence.
+
+    MemoryError remains one, because it may be the fault of the system: `Budget` refuses files that claim too much.
+    """
     try:
         yield
     except (SceneError, passed):
         raise
+    except MemoryError as error:
+        raise MemoryError(f"{label}: {_first_line(error) or 'reading it needs more memory than there is'}") from error
     except Exception as error:
         raise SceneError(f"{label}: {reason_of(error)}") from error
 
@@ -46,8 +51,6 @@ def _reason_of(error: Exception) -> str:
             return f"a file that it refers to cannot be read: {Path(str(error.filename or error)).name}"
         case UnicodeDecodeError():
             return f"its text is not in a known encoding ({error.reason} at byte {error.start})"
-        case MemoryError():
-            return "it claims more data than fits into memory"
         case RecursionError():
             return "its parts are nested too deeply"
         case KeyError():

@@ -66,8 +66,8 @@ class Scene(PartsMixin, RenderMixin):
         CityJSON (.city.json, .city.jsonl), extruded footprints of GeoJSON and GeoParquet, and gzip files (``.ply.gz``).
         Nodes become objects. `report` lists what is not drawn; files written from the scene nevertheless include it.
         SceneError, with the file's name and the reason, for a file that is unusable or unpacks to too much; ValueError
-        and TypeError for options out of range, or an option for files of another kind; OSError for a file that cannot
-        be opened.
+        and TypeError for options out of range, or an option for files of another kind; MemoryError for a file that
+        does not fit into memory; OSError for a file that cannot be opened.
 
         Parameters
         ----------

@@ -119,6 +119,8 @@ class TextureFiles:
         for candidate in candidates[:-1]:
             try:
                 data: bytes = self._files.get(candidate)
+            except MemoryError:
+                raise
             except Exception:  # resolvers may raise any type
                 continue
             return data

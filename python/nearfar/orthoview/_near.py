@@ -33,12 +33,15 @@ class Near:
     """
 
     def __init__(self, address: str, chunks: Chunks, grid: Grid, max_bytes: int) -> None:
-        self._address, self._chunks, self._grid, self._max_bytes = address, chunks, grid, max_bytes
+        self._address, self._chunks, self._grid = address, chunks, grid
+        self.max_bytes = max_bytes
+        """Bytes of scenes, and of texture files, that are cached."""
         self.origin = origin_for(grid.bounds)
         """World position (3,) that the scenes' positions are relative to, metres."""
         self.cache: Recent[Place, Scene | None] = Recent(lambda scene: 0 if scene is None else scene._core.bytes())
         """Scenes of leaves, None for empty leaves; its `read_bytes` include textures."""
-        self._images: Recent[str, bytes] = Recent(len)
+        self.images: Recent[str, bytes] = Recent(len)
+        """Texture files by name."""
         self._joined: tuple[tuple[Place, ...], Scene | None] = ((), None)
         self._lock = threading.Lock()
         self._lock_by_image: defaultdict[str, threading.Lock] = defaultdict(threading.Lock)
@@ -61,7 +64,7 @@ class Near:
 
     def trim(self, needed: Collection[Place]) -> None:
         """Evict the least recently used leaves, except needed ones, until the cache fits its size."""
-        self.cache.trim(needed, self._max_bytes)
+        self.cache.trim(needed, self.max_bytes)
 
     def load(self, places: Sequence[Place]) -> None:
         """Read the leaves that are not cached."""
@@ -89,14 +92,14 @@ class Near:
         with self._lock:
             lock = self._lock_by_image[name]
         with lock:
-            if (content := self._images.get(name)) is not None:
+            if (content := self.images.get(name)) is not None:
                 return content
             content = self._chunks.geometry(f"{FOLDER}/{IMAGES}/{name}")
             if content is None:
                 raise UnusableError(f"{FOLDER}/{IMAGES}/{name}: the file is gone")
             self.cache.count_bytes(len(content))
-            self._images.put(name, content)
-            self._images.trim((), self._max_bytes)
+            self.images.put(name, content)
+            self.images.trim((), self.max_bytes)
             return content
 
 

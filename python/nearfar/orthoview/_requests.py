@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from nearfar.orthoview._cut import GEOMETRY, RECORD, Part, kind
 from nearfar.orthoview._files import ByteRange, Files, join_ranges
+from nearfar.orthoview._geometry_store import FOLDER, IMAGES
 from nearfar.orthoview._tree import OrthoTree
 
 
@@ -16,6 +17,11 @@ class Request(NamedTuple):
     file: str
     bytes: int
     """Bytes of the response."""
+
+    @property
+    def is_texture(self) -> bool:
+        """Whether leaves share the file: one that has been received is not requested again."""
+        return self.file.startswith(f"{FOLDER}/{IMAGES}/")
 
 
 class RecordedFiles:
@@ -43,13 +49,15 @@ class FlightRequests:
         self.opened = tree._open_store(self._files)
 
     def list_requests(self, part: Part) -> list[Request]:
-        """List the requests for a part, which its thread makes one after the other."""
+        """List the requests for a part, which its thread makes one after the other if no texture is cached."""
         self._files.requests.clear()
         level, place, _ = part
         viewer, chunks = self.opened.viewer, self.opened.chunks
         if kind(part) == GEOMETRY:
             viewer.near.load([place])
-            viewer.near.cache.trim((), 0)  # the simulated cache decides whether the leaf is read again
+            # The simulated caches decide whether the leaf and its textures are read again.
+            viewer.near.cache.trim((), 0)
+            viewer.near.images.trim((), 0)
         elif kind(part) == RECORD:
             self.opened.read_cells(level, place)
         else:

@@ -97,9 +97,10 @@ def simulate(
     The requests are those of a flight through a tree that has just been opened behind a URL. Each of `threads` threads
     makes one request at a time over its own connection, which is HTTP/1.1 whatever `link.http` is, since fsspec
     supports nothing else. A view takes one request, the record of a subtree one, a leaf one for each of its files and
-    for each texture that no earlier leaf needed. The planner runs once a frame. Decoding takes no time. Returns the
-    results, frame by frame. ValueError for values out of range, no cameras, or an incomplete tree; TypeError for
-    arguments of another type; FormatError and OSError for damaged or unreadable parts of the store.
+    for each texture that no earlier leaf has requested; if another leaf has, it waits for the response. The planner
+    runs once a frame. Decoding takes no time. Returns the results, frame by frame. ValueError for values out of range,
+    no cameras, or an incomplete tree; TypeError for arguments of another type; FormatError and OSError for damaged or
+    unreadable parts of the store.
 
     Parameters
     ----------
@@ -156,7 +157,11 @@ class Client:
         """Bytes of the parts received."""
         self._remaining: dict[Part, deque[Request]] = {}
         """Requests that must still be made for the parts being read."""
-        self._part_by_request: dict[str, Part] = {}
+        self._textures: Recent[str, int] = Recent(int)
+        """Bytes of the textures received."""
+        self._waiting: dict[str, list[Part]] = {}
+        """Parts that wait for a texture that another part has requested, by file."""
+        self._part_by_request: dict[str, tuple[Part, Request]] = {}
         self._bytes_by_part: dict[Part, int] = {}
         self._queue: deque[Part] = deque()
         self._received = LinkTotals()
@@ -184,31 +189,47 @@ class Client:
         """Receive data until a time; each thread that becomes idle takes the next part at once."""
         while (moment := self._transport.next_time()) <= time:
             for name in self._transport.advance(moment):
-                self._continue(self._part_by_request.pop(name))
+                self._receive_response(*self._part_by_request.pop(name))
             self._start_threads()
         self._transport.advance(time)
 
     def _start_threads(self) -> None:
         while self._idle_threads and self._queue:
             part = self._queue.popleft()
-            requests = self._requests.list_requests(part)
             self._idle_threads -= 1
-            self._remaining[part] = deque(requests)
-            self._bytes_by_part[part] = sum(request.bytes for request in requests)
+            self._remaining[part] = deque(self._requests.list_requests(part))
+            self._bytes_by_part[part] = 0
             self._continue(part)
 
+    def _receive_response(self, part: Part, request: Request) -> None:
+        """Continue with a part, and with those that have waited for the same texture."""
+        waiting = self._waiting.pop(request.file, [])
+        if request.is_texture:
+            self._textures.put(request.file, request.bytes)
+            self._textures.trim((), self._requests.opened.viewer.near.max_bytes)
+        for each in (part, *waiting):
+            self._continue(each)
+
     def _continue(self, part: Part) -> None:
-        """Make the next request for a part; without further requests the part has been read."""
-        if not self._remaining[part]:
+        """Make the next request for a part, or wait for another part's; without further requests it has been read."""
+        remaining = self._remaining[part]
+        while remaining and remaining[0].is_texture and self._textures.get(remaining[0].file) is not None:
+            remaining.popleft()
+        if not remaining:
             del self._remaining[part]
             self._idle_threads += 1
             self._receive(part, self._bytes_by_part.pop(part))
-            return
-        request = self._remaining[part].popleft()
-        name = str(len(self.requested))
-        self.requested.append(request)
-        self._part_by_request[name] = part
-        self._transport.ask(name, request.bytes)
+        elif remaining[0].file in self._waiting:
+            self._waiting[remaining[0].file].append(part)
+        else:
+            request = remaining.popleft()
+            if request.is_texture:
+                self._waiting[request.file] = []
+            name = str(len(self.requested))
+            self.requested.append(request)
+            self._bytes_by_part[part] += request.bytes
+            self._part_by_request[name] = (part, request)
+            self._transport.ask(name, request.bytes)
 
     def _receive(self, part: Part, size: int) -> None:
         self._requests.receive(part)

@@ -33,7 +33,7 @@ class Scale:
 SMALL = Scale((24, 16), rows=2, side=4, cuts=1)
 BUSY = Scale((96, 64), rows=2000, side=32, cuts=50)
 """Calls take milliseconds, so that calls in threads overlap."""
-LARGE = Scale((2400, 2400), rows=3_000_000, side=1024, cuts=1000)
+LARGE = Scale((2000, 2000), rows=2_000_000, side=768, cuts=500)
 """Most arrays take tens of megabytes."""
 
 SIZE = SMALL.size

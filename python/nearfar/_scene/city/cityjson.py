@@ -115,8 +115,8 @@ class _Reader:
         for part in parts:
             self._read_part(part)
         shapes, nodes = {}, []
-        objects, object_losses = self._collector.shapes(drop=self._drop)
-        templates, template_losses = self._templates.shapes(drop=self._drop)
+        objects, object_counts = self._collector.shapes(drop=self._drop)
+        templates, template_counts = self._templates.shapes(drop=self._drop)
         for name, (shape, base) in objects.items():
             nodes.append((name, translation(base), name))
             shapes[name] = shape
@@ -126,8 +126,8 @@ class _Reader:
             nodes += [
                 (name, matrix @ translation(base), key) for name, matrix, owner in self._placed if owner == template
             ]
-        if losses := object_losses + template_losses:
-            self._omissions["surface", "with rings of fewer than three corners left out"] += losses
+        for ending, number in (object_counts + template_counts).items():
+            self._omissions["surface", ending] += number
         shapes = {name: shape for name, shape in shapes.items() if len(shape.faces)}
         used = [f"CityJSON {self._header['version']}", *self._system]
         notes = [f"{count(number, noun)} {ending}" for (noun, ending), number in self._omissions.items()]

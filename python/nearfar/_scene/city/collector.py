@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import dataclass
 from typing import Any
 
@@ -14,6 +15,9 @@ from nearfar._scene.city.outlines import offsets, select_runs
 from nearfar._scene.content import Shape
 from nearfar._scene.entries import flattened
 from nearfar._scene.materials import BaseColor
+
+CROSSING = "with rings that cross drawn with gaps or overlaps"
+"""Complement of a note on polygons whose rings cross themselves or each other, overlap, or leave the outer ring."""
 
 _THIN = 1e-12
 """Area, relative to the squared extent, below which a polygon counts as a line; float64 has 16 digits."""
@@ -65,14 +69,14 @@ class Collector:
         self._part_surfaces.append(len(surfaces))
         self._colors += colors
 
-    def shapes(self, *, drop: bool) -> tuple[dict[str, tuple[Shape, NDArray[np.float64]]], int]:
-        """Make each owner's shape relative to a point (3,) in whole metres; also count the surfaces left out.
+    def shapes(self, *, drop: bool) -> tuple[dict[str, tuple[Shape, NDArray[np.float64]]], Counter[str]]:
+        """Make each owner's shape relative to a point (3,) in whole metres; also count surfaces drawn wrongly or not.
 
         Shapes are rotated from z up to y up. Surfaces with rings of fewer than three corners are left out with `drop`,
-        else an UnusableError names the first one.
+        else an UnusableError names the first one. The keys of the counts are complements of notes.
         """
         surfaces, numbers, unusable_count = self._usable_surfaces(drop)
-        faces, face_offsets = surfaces.triangles()
+        faces, face_offsets, crossing_count = surfaces.triangles()
         colors = {id(color): color for color in self._colors}
         color_numbers = {key: number for number, key in enumerate(colors)}
         color = np.array([color_numbers[id(self._colors[row])] for row in numbers.tolist()], np.int32)
@@ -85,7 +89,9 @@ class Collector:
             owner: _shape(surfaces, faces, face_offsets, np.concatenate(ranges), color, list(colors.values()))
             for owner, ranges in rows.items()
         }
-        return shapes, unusable_count
+        return shapes, Counter(
+            {"with rings of fewer than three corners left out": unusable_count, CROSSING: crossing_count}
+        )
 
     def _usable_surfaces(self, drop: bool) -> tuple[Surfaces, NDArray[np.int64], int]:
         """Return the usable surfaces, their numbers, and the count of unusable ones."""
@@ -139,13 +145,14 @@ class Surfaces:
         first = self.rings[self.surfaces]
         return self.corners - self.corners[first[:-1]].repeat(np.diff(first), axis=0)
 
-    def triangles(self) -> tuple[NDArray[np.uint32], NDArray[np.int64]]:
+    def triangles(self) -> tuple[NDArray[np.uint32], NDArray[np.int64], int]:
         """Return triangles (F, 3) of corner numbers, oriented like the outer rings, and offsets (S + 1,) of polygons.
 
-        Polygons without area have no faces. Corners are projected onto the plane of the outer ring's Newell normal.
+        Also returns the number of polygons whose rings cross, including bow ties, whose halves cancel. Polygons without
+        area have no faces. Corners are projected onto the plane of the outer ring's Newell normal.
         """
         if not len(self.corners):
-            return np.zeros((0, 3), np.uint32), np.zeros(len(self.surfaces), np.int64)
+            return np.zeros((0, 3), np.uint32), np.zeros(len(self.surfaces), np.int64), 0
         normals = self.area_vectors()[self.surfaces[:-1]]
         local, first = self.local(), self.rings[self.surfaces]
         area = np.linalg.norm(normals, axis=1)
@@ -158,7 +165,20 @@ class Surfaces:
         planar = [
             np.einsum("ij,ij->i", local, axis.repeat(counts, axis=0)) for axis in (axis_u, np.cross(unit, axis_u))
         ]
-        return _core.triangulate_polygons(np.stack(planar, axis=-1), self.rings, self.surfaces)
+        faces, offsets, crossing_count = _core.triangulate_polygons(
+            np.stack(planar, axis=-1), self.rings, self.surfaces
+        )
+        outer_rings = zip(first[:-1][~has_area], extent[~has_area], strict=True)
+        bows = (_has_corners_off_a_line(local[start : self._end_of_ring(start)], size) for start, size in outer_rings)
+        return faces, offsets, crossing_count + sum(bows)
+
+    def _end_of_ring(self, start: int) -> int:
+        return int(self.rings[np.searchsorted(self.rings, start, side="right")])
+
+
+def _has_corners_off_a_line(corners: NDArray[np.float64], extent: float) -> bool:
+    """Return whether corners (C, 3) relative to the first one span an area, whatever its sign."""
+    return bool((np.abs(np.cross(corners[:-1], corners[1:])) > _THIN * extent**2).any())
 
 
 def _shape(

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from nearfar import _core
 from nearfar._scene.arrays import origin_for, touching
 from nearfar._scene.city import heights
+from nearfar._scene.city.collector import CROSSING
 from nearfar._scene.city.crs import Geodetic, Ground, Projected
 from nearfar._scene.city.outlines import Table
 from nearfar._scene.content import Content, Nodes, Shape, translation
@@ -81,12 +82,13 @@ class Footprints:
                 if level == 0:
                     plan[part] = world[:, ::2] * (1, -1)
         floors = (low > 0)[polygon_owner]
-        faces, offsets = _core.polygon_prisms(plan, outlines.rings, outlines.polygons, floors)
+        faces, offsets, crossing_count = _core.polygon_prisms(plan, outlines.rings, outlines.polygons, floors)
+        notes = [*self.notes, f"{count(crossing_count, 'polygon')} {CROSSING}"] if crossing_count else list(self.notes)
         face_object = polygon_owner.astype(np.int32).repeat(np.diff(offsets))
         shape = Shape(vertices.reshape(-1, 3), faces, face_object=face_object)
         nodes = Nodes([""], translation(self._base)[None], [_KEY])
         used = [f"{self.format}: {count(len(numbers), 'feature')} extruded", *self._system]
-        return Content(self.label, {_KEY: shape}, nodes, list(self.notes), used, names=self._names_of(rows))
+        return Content(self.label, {_KEY: shape}, nodes, notes, used, names=self._names_of(rows))
 
     def _names_of(self, rows: NDArray[np.int64] | None) -> Sequence[str] | int:
         if rows is None:

@@ -83,7 +83,7 @@ class Buffers:
         if number not in self._textures:
             try:
                 self._textures[number] = self._texture(number)
-            except TooLargeError:
+            except (TooLargeError, MemoryError):
                 raise
             except Exception:  # textures are optional, and resolvers may raise any type
                 self._textures[number] = None
@@ -107,7 +107,7 @@ class Buffers:
             texture = entry(self._header, "textures", number)
             candidates = (texture, *texture.get("extensions", {}).values())
             return next((self._image(item["source"]) for item in candidates if "source" in item), None)
-        except TooLargeError:
+        except (TooLargeError, MemoryError):
             raise
         except Exception:  # textures are optional, and resolvers may raise any type
             return None

@@ -125,6 +125,8 @@ def _decode_basis(data: bytes, header: _Header) -> NDArray[np.uint8]:
         data = data[: _LEVELS.start] + (1).to_bytes(4, "little") + data[_LEVELS.stop :]
     try:
         texels: NDArray[Any] = opengl_basisu.open(data).transcode("rgba8").data
+    except MemoryError:
+        raise
     except Exception as error:  # its errors have no common type, and Cython passes C++ exceptions on
         raise UnusableError(f"cannot be decoded: {error}") from None
     if texels.shape != (header.height, header.width, 4):

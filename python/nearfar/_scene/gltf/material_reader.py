@@ -83,7 +83,7 @@ class MaterialReader:
             try:
                 is_ktx2 = data.startswith(ktx2.SIGNATURE)
                 picture = Image.fromarray(ktx2.decode(data, self._budget)) if is_ktx2 else Image.open(io.BytesIO(data))
-            except TooLargeError:
+            except (TooLargeError, MemoryError):
                 raise
             except UnusableError as error:
                 raise UnusableError(f"its texture {number}, a KTX 2 image, {error}") from None

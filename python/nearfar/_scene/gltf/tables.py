@@ -130,7 +130,7 @@ def _blocks(
             if is_packed or buffer not in block_by_buffer:
                 content = buffers.view(number) if is_packed else buffers.bytes_of(buffer)
                 blocks.append(np.frombuffer(content, np.uint8))
-        except TooLargeError:
+        except (TooLargeError, MemoryError):
             raise
         except Exception:  # resolvers may raise any type; a later read of the view reports it
             continue

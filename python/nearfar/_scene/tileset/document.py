@@ -149,7 +149,7 @@ class Documents:
         """Convert any exception caused by a damaged document to a NamedError."""
         try:
             yield
-        except (NamedError, OSError):
+        except (NamedError, OSError, MemoryError):
             raise
         except Exception as error:
             prefix = "" if name == self._files.top else f"{self._files.display_name(name)}: "

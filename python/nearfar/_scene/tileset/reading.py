@@ -111,6 +111,8 @@ class Reading:
                 content = self._reader.read(key.name, data, key.up, tile.transform)
             except (TooLargeError, OutsideError) as error:
                 raise type(error)(f"{self._files.display_name(key.name)}: {error}") from error
+            except MemoryError:
+                raise
             except Exception as error:  # damaged data may raise any type
                 if error is data and not isinstance(error, FileNotFoundError):
                     raise

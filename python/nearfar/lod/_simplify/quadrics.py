@@ -93,10 +93,15 @@ class QuadricSimplifier:
         self, points: NDArray[np.float64], faces: NDArray[np.int32], target: int
     ) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
         """Return the new positions of points, and for each point the number of the point into which it was merged."""
-        with _PACKAGE_LOCK:
-            new_points, new_faces, merged = self._package.simplify(
-                points, faces, target_count=target, return_collapses=True
-            )
+        try:
+            with _PACKAGE_LOCK:
+                new_points, new_faces, merged = self._package.simplify(
+                    points, faces, target_count=target, return_collapses=True
+                )
+        except MemoryError:
+            # The package's own message is "std::bad_alloc".
+            reason = f"simplifying {len(faces):,} triangles needs more memory than there is"
+            raise MemoryError(f"mesh: {reason}") from None
         roots = np.arange(len(points), dtype=np.int32)
         if len(merged):
             # Each point is merged at most once; pointer doubling finds the final point.

@@ -5,6 +5,8 @@
 //! Small arrays, in total less than 1 MiB between two calls of `Progress::check`, need no request. If memory is
 //! limited, the first 64 of these calls, and then every 64th, fail if less than `HEADROOM` remains.
 
+use std::collections::HashMap;
+use std::hash::Hash;
 use std::hint::black_box;
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::{process, thread};
@@ -95,6 +97,18 @@ pub fn try_grow<T>(values: &mut Vec<T>, count: usize) -> Result<()> {
     values.try_reserve(count).map_err(|_| refusal::<T>(all))
 }
 
+/// Makes room for `count` more entries of a hash map that grows.
+pub fn try_grow_map<K: Eq + Hash, V>(map: &mut HashMap<K, V>, count: usize) -> Result<()> {
+    let all = map.len().saturating_add(count);
+    if all > map.capacity() {
+        // The new table has a power of two of slots, at most 7/8 of them in use, and a byte for each; the old one remains
+        // until its entries have moved.
+        let slots = all.max(map.capacity() + 1).saturating_mul(8).div_ceil(7).next_power_of_two();
+        room_for_values::<((K, V), u8)>(slots)?;
+    }
+    map.try_reserve(count).map_err(|_| refusal::<(K, V)>(all))
+}
+
 /// Returns a copy of an array.
 pub fn try_copy<T: Copy>(values: &[T]) -> Result<Vec<T>> {
     try_concat(&[values])
@@ -167,6 +181,10 @@ mod tests {
         assert_eq!(try_with_capacity::<u64>(1 << 59), Err(refused.clone()));
         assert_eq!(try_collect((0..1usize << 59).into_par_iter().map(|_| 0u64)), Err(refused));
         assert_eq!(room_for_values::<u64>(usize::MAX), Err(Error::Memory { bytes: u64::MAX }));
+        let mut map = HashMap::<u64, u64>::new();
+        assert_eq!(try_grow_map(&mut map, 1 << 58), Err(Error::Memory { bytes: 24 << 59 }));
+        assert_eq!(try_grow_map(&mut map, 10), Ok(()));
+        assert!(map.capacity() >= 10);
     }
 
     #[test]

@@ -107,10 +107,10 @@ impl Export {
         let bytes = meshes.map(EncodedMesh::byte_count).sum::<usize>() + contents.placed.len() * PLACEMENT_BYTES;
         let document = Document::with_room(self.settings.compressed, bytes)?;
         let mut file = FileWriter { export: self, document, statistics: Statistics::default(), progress };
-        file.add_merged(&merged);
+        file.add_merged(&merged)?;
         let numbers = file.add_shared(contents, uris);
         file.add_placed(contents, &numbers)?;
-        file.add_moving(contents, &moving, &numbers);
+        file.add_moving(contents, &moving, &numbers)?;
         file.finish()
     }
 
@@ -164,13 +164,14 @@ struct FileWriter<'a> {
 }
 
 impl FileWriter<'_> {
-    fn add_merged(&mut self, merged: &EncodedMesh) {
+    fn add_merged(&mut self, merged: &EncodedMesh) -> Result<()> {
         self.statistics.add(&merged.statistics);
         self.statistics.drawn += merged.statistics.triangles;
         if !merged.primitives.is_empty() {
             let mesh = self.document.add_mesh(merged, None);
-            self.document.add_node(mesh, Some("static"), &glam::DAffine3::IDENTITY);
+            self.document.add_node(mesh, Some("static"), &glam::DAffine3::IDENTITY)?;
         }
+        Ok(())
     }
 
     /// Adds the shared meshes of a group, except those without faces; returns their numbers in the file.
@@ -214,7 +215,7 @@ impl FileWriter<'_> {
                         self.statistics.position_error = self.statistics.position_error.max(rounding + error);
                         placements.push(trs);
                     }
-                    None => self.document.add_node(mesh, None, to_scene),
+                    None => self.document.add_node(mesh, None, to_scene)?,
                 }
             }
             if !placements.is_empty() {
@@ -226,7 +227,12 @@ impl FileWriter<'_> {
         Ok(())
     }
 
-    fn add_moving(&mut self, contents: &Contents, meshes: &[Option<EncodedMesh>], numbers: &BTreeMap<usize, usize>) {
+    fn add_moving(
+        &mut self,
+        contents: &Contents,
+        meshes: &[Option<EncodedMesh>],
+        numbers: &BTreeMap<usize, usize>,
+    ) -> Result<()> {
         for (moving, encoded) in contents.moving.iter().zip(meshes) {
             let mesh = match (moving.shared, encoded) {
                 (Some(shared), _) => {
@@ -243,9 +249,10 @@ impl FileWriter<'_> {
             let name = by_number(&self.export.names, moving.object);
             if let Some(mesh) = mesh {
                 let to_scene = &self.export.scene.instance(moving.faces.instance).to_scene;
-                self.document.add_node(mesh, name.map(String::as_str), to_scene);
+                self.document.add_node(mesh, name.map(String::as_str), to_scene)?;
             }
         }
+        Ok(())
     }
 
     fn count_drawn(&mut self, shared: usize, placements: usize) {

@@ -75,7 +75,7 @@ pub fn bake(scene: &Scene, settings: &Bake, progress: &Progress) -> Result<Frame
     let picture = Truth { scene: &static_scene, filter: &AlphaFilter::new(&static_scene, beyond) };
     let mut faces = Frame::with_capacity(settings.channels(), 6 * settings.texels())?;
     for face in 0..6 {
-        faces.append(&draw(&settings.view(scene, &settings.camera(face)?), &picture, progress)?);
+        faces.append(&draw(&settings.view(scene, &settings.camera(face)?), &picture, progress)?)?;
     }
     Ok(faces)
 }

@@ -10,6 +10,7 @@ use super::ring_layers::RingLayers;
 use super::tiles::{CENTER, Caster, ImageTile, NO_RAYS, PIXELS, Picture, TILE};
 use super::truth::Truth;
 use crate::base::mapped::set_bits;
+use crate::base::memory::try_extend;
 use crate::base::{Progress, Result, ensure};
 use crate::scene::Scene;
 use crate::trace::{All, Hit, Layer, LayerHits, Ray, closest_hits_by_layer};
@@ -42,7 +43,8 @@ pub fn bake_rings(scene: &Scene, settings: &Bake, rings: &[u16], count: u16, pro
     let scene = &without_moving(scene, progress)?;
     let layers = RingLayers::new(scene, rings, count, progress)?;
     let layers = &layers.layers();
-    let mut maps = RingMaps { first: Frame::default(), changes: vec![] };
+    let mut maps =
+        RingMaps { first: Frame::with_capacity(settings.channels(), 6 * settings.texels())?, changes: vec![] };
     maps.changes.resize_with(layers.len() - 1, Change::default);
     for face in 0..6 {
         let camera = settings.camera(face)?;
@@ -52,13 +54,13 @@ pub fn bake_rings(scene: &Scene, settings: &Bake, rings: &[u16], count: u16, pro
         let mut frame = Frame::new(view.channels, settings.texels())?;
         let bands =
             baker.caster.for_each_tile(&mut frame, progress, |tile, band, rows| baker.bake(tile, band, rows))?;
-        maps.first.append(&frame);
+        maps.first.append(&frame)?;
         let first = (usize::from(face) * settings.texels()) as i64;
         for rows in bands {
             for (change, rows) in maps.changes.iter_mut().zip(rows.chunks(TILE)) {
                 for row in rows {
-                    change.texels.extend(row.texels.iter().map(|texel| first + texel));
-                    change.frame.append(&row.frame);
+                    try_extend(&mut change.texels, row.texels.iter().map(|texel| first + texel))?;
+                    change.frame.append(&row.frame)?;
                 }
             }
         }
@@ -227,7 +229,7 @@ mod tests {
                 for face in 0..6 {
                     let camera = settings.camera(face).unwrap();
                     let picture = Truth { scene: &scene, filter };
-                    drawn.append(&draw(&settings.view(&scene, &camera), &picture, &Progress::new()).unwrap());
+                    drawn.append(&draw(&settings.view(&scene, &camera), &picture, &Progress::new()).unwrap()).unwrap();
                 }
                 assert_eq!(map.color, drawn.color);
                 assert_eq!(map.range, drawn.range);

@@ -1,7 +1,7 @@
 //! Images of one view; only requested channels are computed.
 
 use crate::base::Result;
-use crate::base::memory::{room_for, try_vec, try_with_capacity};
+use crate::base::memory::{room_for, try_append, try_vec, try_with_capacity};
 
 /// Declares a frame's images: first those of all samples of a pixel, then those of the ray through its centre, with
 /// their values for a ray without a hit.
@@ -95,9 +95,10 @@ macro_rules! images {
             }
 
             /// Appends the images of another frame.
-            pub(super) fn append(&mut self, other: &Self) {
-                $(self.$sampled.extend_from_slice(&other.$sampled);)+
-                $(self.$central.extend_from_slice(&other.$central);)+
+            pub(super) fn append(&mut self, other: &Self) -> Result<()> {
+                $(try_append(&mut self.$sampled, &other.$sampled)?;)+
+                $(try_append(&mut self.$central, &other.$central)?;)+
+                Ok(())
             }
 
             /// Copies the images of a part, which is `columns` pixels wide, to its position in this frame.

@@ -113,28 +113,25 @@ pub fn decode_meshopt<'py>(
     Ok(words.into_pyarray(py))
 }
 
-/// Faces (F, 3), and their offsets by polygon.
-type FacesOf<'py> = (Array2<'py, u32>, Array1<'py, i64>);
+/// Faces (F, 3), their offsets by polygon, and numbers of polygons that have other faces than their outlines ask for.
+type FacesOf<'py, N> = (Array2<'py, u32>, Array1<'py, i64>, N);
 /// Points (N, 2), offsets of rings, polygons and rows, and the number of skipped geometries.
 type Outlines<'py> = (Array2<'py, f64>, Array1<'py, i64>, Array1<'py, i64>, Array1<'py, i64>, u64);
 
-fn faces_of(py: Python<'_>, faces: Faces) -> PyResult<FacesOf<'_>> {
-    Ok((array_of_rows(py, faces.faces)?, faces.offsets.into_pyarray(py)))
+fn faces_of<N>(py: Python<'_>, (faces, counts): (Faces, N)) -> PyResult<FacesOf<'_, N>> {
+    Ok((array_of_rows(py, faces.faces)?, faces.offsets.into_pyarray(py), counts))
 }
 
-/// Triangulates polygons; also returns the triangles' offsets by polygon.
+/// Triangulates polygons; also returns the triangles' offsets by polygon, and the number of polygons whose rings cross.
 #[pyfunction]
 pub fn triangulate_polygons<'py>(
     py: Python<'py>,
     points: Read2<'py, f64>,
     rings: Read1<'py, i64>,
     polygons: Read1<'py, i64>,
-) -> PyResult<FacesOf<'py>> {
+) -> PyResult<FacesOf<'py, u64>> {
     let (points, rings, polygons) = (points.as_slice()?.as_chunks::<2>().0, rings.as_slice()?, polygons.as_slice()?);
-    let faces = run::long(py, None, |progress| -> Result<Faces> {
-        triangulate(&Polygons::new(points, rings, polygons)?, progress)
-    })?;
-    faces_of(py, faces)
+    faces_of(py, run::long(py, None, |progress| triangulate(&Polygons::new(points, rings, polygons)?, progress))?)
 }
 
 /// Triangulates polygons in space: triangles of corner numbers, their offsets by polygon, and the numbers of large
@@ -145,14 +142,13 @@ pub fn triangulate_faces<'py>(
     points: Read2<'py, f64>,
     corners: Read1<'py, u32>,
     offsets: Read1<'py, i64>,
-) -> PyResult<(Array2<'py, u32>, Array1<'py, i64>, [u64; 2])> {
+) -> PyResult<FacesOf<'py, [u64; 2]>> {
     let (points, corners, offsets) = (points.as_slice()?.as_chunks::<3>().0, corners.as_slice()?, offsets.as_slice()?);
     let (faces, fans) = run::long(py, None, |progress| faces_in_space(points, corners, offsets, progress))?;
-    let (faces, ends) = faces_of(py, faces)?;
-    Ok((faces, ends, [fans.large, fans.crossing]))
+    faces_of(py, (faces, [fans.large, fans.crossing]))
 }
 
-/// Faces of prisms over polygons, and their offsets by polygon.
+/// Faces of prisms over polygons, their offsets by polygon, and the number of polygons whose rings cross.
 #[pyfunction]
 pub fn polygon_prisms<'py>(
     py: Python<'py>,
@@ -160,13 +156,10 @@ pub fn polygon_prisms<'py>(
     rings: Read1<'py, i64>,
     polygons: Read1<'py, i64>,
     has_floor: Read1<'py, bool>,
-) -> PyResult<FacesOf<'py>> {
+) -> PyResult<FacesOf<'py, u64>> {
     let (points, rings, polygons) = (points.as_slice()?.as_chunks::<2>().0, rings.as_slice()?, polygons.as_slice()?);
     let has_floor = has_floor.as_slice()?;
-    let faces = run::long(py, None, |progress| -> Result<Faces> {
-        prisms(&Polygons::new(points, rings, polygons)?, has_floor, progress)
-    })?;
-    faces_of(py, faces)
+    faces_of(py, run::long(py, None, |progress| prisms(&Polygons::new(points, rings, polygons)?, has_floor, progress))?)
 }
 
 /// Reads polygons from rows in WKB.

@@ -9,7 +9,7 @@ use std::sync::{Arc, OnceLock};
 use glam::{DAffine3, DVec3};
 use rayon::prelude::*;
 
-use crate::base::memory::{room_for, try_copy, try_list, try_vec};
+use crate::base::memory::{room_for, try_copy, try_grow, try_grow_map, try_list, try_vec, try_with_capacity};
 use crate::base::{Error, FaceMap, Progress, Result};
 use crate::morph::Morph;
 use crate::scene::{Instance, Mesh, Scene};
@@ -17,7 +17,7 @@ use crate::tessellate::{self, Precision, Rule, Settings};
 
 /// Maximum number of pieces that a split may add, about a gigabyte.
 const MAX_PIECES: u64 = 1 << 22;
-/// Bytes per piece of all arrays while triangles are split: half for cutting, half for joining.
+/// Bytes per triangle while triangles are cut into at least one piece each.
 const PIECE_BYTES: u64 = 256;
 /// Tolerance in radians from which on triangles are not split.
 const MAX_TOLERANCE: f64 = 0.5;
@@ -152,11 +152,13 @@ impl Split {
             settings = settings.map(coarser).filter(|settings| settings.tolerance < MAX_TOLERANCE);
         };
         progress.check()?;
-        room_for(PIECE_BYTES / 2 * triangles.iter().map(Vec::len).sum::<usize>() as u64)?;
-        let (mut pieces, mut faces, mut vertices) = (vec![], vec![], vec![]);
+        let count = triangles.iter().map(Vec::len).sum();
+        let (mut pieces, mut faces) = (try_with_capacity(count)?, try_with_capacity(count)?);
         // The cut of an edge depends on the edge alone, so neighbours have bit-equal vertices.
-        let mut numbers = HashMap::new();
+        let (mut vertices, mut numbers) = (vec![], HashMap::new());
         for (piece, corners) in triangles.into_iter().flatten() {
+            try_grow(&mut vertices, corners.len())?;
+            try_grow_map(&mut numbers, corners.len())?;
             pieces.push(piece);
             faces.push(corners.map(|corner| {
                 *numbers.entry(corner.to_array().map(f64::to_bits)).or_insert_with(|| {

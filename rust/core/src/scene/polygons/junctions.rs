@@ -154,7 +154,7 @@ mod tests {
         {
             let counts = [0, rings.len() as i64 - 1];
             let polygons = Polygons::new(&points, &rings, &counts).unwrap();
-            let found = triangulate(&polygons, &Progress::new()).unwrap().faces;
+            let found = triangulate(&polygons, &Progress::new()).unwrap().0.faces;
             assert_eq!(found.len(), points.len() + 2 * hole_count - 2);
             let areas = found.iter().map(|face| {
                 let [a, b, c] = face.map(|corner| points[corner as usize]);

@@ -1,5 +1,7 @@
 //! Walls, roofs and floors of extruded outlines.
 
+use std::sync::atomic::{AtomicU64, Ordering};
+
 use super::outlines::Polygons;
 use super::triangulate::{Clipper, Faces, collect_faces, doubled_ring_area};
 use crate::base::{Error, Progress, Result, ensure};
@@ -7,14 +9,16 @@ use crate::base::{Error, Progress, Result, ensure};
 /// Returns the faces of upright prisms over polygons: walls, roof and, where `has_floor`, floor. They are
 /// counter-clockwise from outside if x points east, y north and heights up.
 ///
-/// Corner n is point n at the lower end, corner `points + n` the same point at the upper end.
-pub fn prisms(polygons: &Polygons, has_floor: &[bool], progress: &Progress) -> Result<Faces> {
+/// Corner n is point n at the lower end, corner `points + n` the same point at the upper end. Also returns the number of
+/// polygons whose rings cross, overlap or leave the outer one.
+pub fn prisms(polygons: &Polygons, has_floor: &[bool], progress: &Progress) -> Result<(Faces, u64)> {
     let count = polygons.points.len();
     ensure!(has_floor.len() == polygons.len(), "has_floor", format!("{} flags", polygons.len()), has_floor.len());
     let Some(count) = u32::try_from(count).ok().filter(|count| *count <= u32::MAX / 2) else {
         return Err(Error::value("points", "fewer than 2^31", count));
     };
-    collect_faces(polygons.len(), progress, Clipper::new, |clipper, polygon, faces| {
+    let crossing = AtomicU64::new(0);
+    let faces = collect_faces(polygons.len(), progress, Clipper::new, |clipper, polygon, faces| {
         for (number, ring) in polygons.rings_of(polygon).enumerate() {
             if ring.len() < 3 {
                 continue;
@@ -28,13 +32,15 @@ pub fn prisms(polygons: &Polygons, has_floor: &[bool], progress: &Progress) -> R
                 faces.extend([[a, b, b + count], [a, b + count, a + count]]);
             }
         }
-        clipper.clip(polygons, polygon, progress)?;
+        let fills_rings = clipper.clip(polygons, polygon, progress)?;
+        crossing.fetch_add(u64::from(!fills_rings), Ordering::Relaxed);
         faces.extend(clipper.triangles.iter().map(|face| face.map(|corner| corner + count)));
         if has_floor[polygon] {
             faces.extend(clipper.triangles.iter().map(|&[a, b, c]| [a, c, b]));
         }
         Ok(())
-    })
+    })?;
+    Ok((faces, crossing.into_inner()))
 }
 
 #[cfg(test)]
@@ -70,14 +76,15 @@ mod tests {
             }
             let points = [outer, hole].concat();
             let polygons = Polygons::new(&points, &[0, 4, 8], &[0, 2]).unwrap();
-            let closed = prisms(&polygons, &[true], &Progress::new()).unwrap();
+            let (closed, crossing) = prisms(&polygons, &[true], &Progress::new()).unwrap();
+            assert_eq!(crossing, 0);
             assert_eq!((closed.faces.len(), volume(&points, 5.0, &closed.faces)), (16 + 8 + 8, 360.0));
             let mut edges: Vec<[u32; 2]> =
                 closed.faces.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]).collect();
             edges.sort_unstable();
             assert!(edges.windows(2).all(|pair| pair[0] != pair[1]));
             assert!(edges.iter().all(|&[a, b]| edges.binary_search(&[b, a]).is_ok()));
-            assert_eq!(prisms(&polygons, &[false], &Progress::new()).unwrap().faces, closed.faces[..24]);
+            assert_eq!(prisms(&polygons, &[false], &Progress::new()).unwrap().0.faces, closed.faces[..24]);
         }
     }
 
@@ -85,7 +92,7 @@ mod tests {
     fn degenerate_rings_have_no_walls() {
         let polygons = Polygons::new(&OUTER, &[0, 2, 4], &[0, 1, 2]).unwrap();
         let found = prisms(&polygons, &[true, true], &Progress::new()).unwrap();
-        assert_eq!(found, Faces { faces: vec![], offsets: vec![0, 0, 0] });
+        assert_eq!(found, (Faces { faces: vec![], offsets: vec![0, 0, 0] }, 0));
     }
 
     #[test]

@@ -1,5 +1,7 @@
 //! Triangulation of polygons by ear clipping with the crate `earcut`, a port of Mapbox's library.
 
+use std::sync::atomic::{AtomicU64, Ordering};
+
 use earcut::Earcut;
 
 use super::junctions::split_at_points;
@@ -10,6 +12,10 @@ use crate::base::{Progress, Result};
 
 /// Polygons per task. A task takes milliseconds and reuses its buffers.
 const POLYGONS_PER_TASK: usize = 512;
+
+/// Difference between the areas of triangles and rings, relative to the squared extent, that counts as rounding: below
+/// it rings don't cross visibly. Sums of 10⁵ corners round to 10⁻¹¹.
+const ROUNDING: f64 = 1e-9;
 
 /// Faces of many items, in their order.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -24,13 +30,17 @@ pub struct Faces {
 ///
 /// Points in the middle of straight sides are corners of triangles, so there are no cracks beside neighbours that have
 /// a corner there. Of several points at one position some may be unused, and rings of fewer than three points are
-/// ignored. If rings cross, touch or leave the outer ring, the result is some set of triangles between the points.
-pub fn triangulate(polygons: &Polygons, progress: &Progress) -> Result<Faces> {
-    collect_faces(polygons.len(), progress, Clipper::new, |clipper, polygon, faces| {
-        clipper.clip(polygons, polygon, progress)?;
+/// ignored. If rings cross, overlap or leave the outer ring, the result is some set of triangles between the points;
+/// also returns the number of these polygons.
+pub fn triangulate(polygons: &Polygons, progress: &Progress) -> Result<(Faces, u64)> {
+    let crossing = AtomicU64::new(0);
+    let faces = collect_faces(polygons.len(), progress, Clipper::new, |clipper, polygon, faces| {
+        let fills_rings = clipper.clip(polygons, polygon, progress)?;
+        crossing.fetch_add(u64::from(!fills_rings), Ordering::Relaxed);
         faces.extend_from_slice(&clipper.triangles);
         Ok(())
-    })
+    })?;
+    Ok((faces, crossing.into_inner()))
 }
 
 /// Collects the faces that `add` appends for each of `count` items; each task creates its own scratch object.
@@ -82,8 +92,9 @@ impl Clipper {
     }
 
     /// Triangulates a polygon in coordinates relative to its first point, because the large coordinates of national
-    /// grids leave few digits for shapes. Fails if the caller has cancelled.
-    pub(super) fn clip(&mut self, polygons: &Polygons, polygon: usize, progress: &Progress) -> Result<()> {
+    /// grids leave few digits for shapes. Returns whether the triangles have the area between the outer ring and its
+    /// holes; otherwise rings cross, overlap or leave the outer one. Fails if the caller has cancelled.
+    pub(super) fn clip(&mut self, polygons: &Polygons, polygon: usize, progress: &Progress) -> Result<bool> {
         self.local.clear();
         self.numbers.clear();
         self.holes.clear();
@@ -92,7 +103,7 @@ impl Clipper {
         for (number, ring) in polygons.rings_of(polygon).enumerate() {
             if ring.len() < 3 {
                 if number == 0 {
-                    return Ok(());
+                    return Ok(true);
                 }
                 continue;
             }
@@ -103,17 +114,34 @@ impl Clipper {
             self.local.extend(polygons.points[ring.clone()].iter().map(|point| [point[0] - x, point[1] - y]));
             self.numbers.extend(ring.start as u32..ring.end as u32);
         }
-        self.triangulate(progress)
+        self.triangulate(progress)?;
+        let fills_rings = (self.doubled_area() - self.doubled_area_of_rings()).abs() <= self.rounding();
+        let numbers = &self.numbers;
+        self.triangles.iter_mut().flatten().for_each(|corner| *corner = numbers[*corner as usize]);
+        Ok(fills_rings)
+    }
+
+    /// Returns twice the area of the outer ring less that of its holes.
+    fn doubled_area_of_rings(&self) -> f64 {
+        let starts = self.holes.iter().map(|&start| start as usize);
+        let ends = starts.clone().chain([self.local.len()]);
+        let rings = [0].into_iter().chain(starts).zip(ends);
+        let areas = rings.map(|(start, end)| doubled_ring_area(&self.local[start..end]).abs());
+        areas.enumerate().map(|(number, area)| if number == 0 { area } else { -area }).sum()
+    }
+
+    /// Returns the difference of doubled areas that counts as rounding.
+    fn rounding(&self) -> f64 {
+        let extent = self.local.as_flattened().iter().fold(0.0f64, |greatest, value| greatest.max(value.abs()));
+        ROUNDING * extent * extent
     }
 
     /// Triangulates a ring of at most a few thousand points without interruption. Corners are numbers of its points.
     pub(super) fn clip_ring(&mut self, ring: impl Iterator<Item = [f64; 2]>) {
         self.local.clear();
-        self.numbers.clear();
         self.holes.clear();
         self.triangles.clear();
         self.local.extend(ring);
-        self.numbers.extend(0..self.local.len() as u32);
         // Cannot fail, because this progress is never cancelled.
         _ = self.triangulate(&Progress::new());
     }
@@ -123,9 +151,10 @@ impl Clipper {
         self.triangles.iter().map(|face| doubled_area(face.map(|corner| self.local[corner as usize]))).sum()
     }
 
+    /// Triangulates the local points.
     fn triangulate(&mut self, progress: &Progress) -> Result<()> {
         self.earcut.earcut_slice(&self.local, &self.holes, &mut self.corners);
-        let (local, numbers) = (&self.local, &self.numbers);
+        let local = &self.local;
         self.triangles.extend(self.corners.as_chunks::<3>().0.iter().map(|&[a, b, c]| {
             let is_clockwise = doubled_area([a, b, c].map(|corner| local[corner as usize])) < 0.0;
             if is_clockwise { [a, c, b] } else { [a, b, c] }
@@ -135,7 +164,6 @@ impl Clipper {
         if !self.triangles.is_empty() && self.triangles.len() < full_count {
             split_at_points(local, &self.holes, full_count, &mut self.triangles, progress)?;
         }
-        self.triangles.iter_mut().flatten().for_each(|corner| *corner = numbers[*corner as usize]);
         Ok(())
     }
 }
@@ -159,7 +187,7 @@ mod tests {
     use crate::base::Error;
 
     fn faces_of(points: &[[f64; 2]], rings: &[i64], polygons: &[i64]) -> Faces {
-        triangulate(&Polygons::new(points, rings, polygons).unwrap(), &Progress::new()).unwrap()
+        triangulate(&Polygons::new(points, rings, polygons).unwrap(), &Progress::new()).unwrap().0
     }
 
     fn area_of(points: &[[f64; 2]], faces: &[[u32; 3]]) -> f64 {
