@@ -72,7 +72,7 @@ def bake_impostors(
     centers
         Greatest number of centres, 1 to 64.
     missing
-        Share of the far part's pixels, 0 to 1, that may be missing in probes of the region when no centre is added.
+        Share of the pixels of the region's probes, 0 to 1, that may be missing when no centre is added.
     triangles
         Greatest number of triangles of the far part, at least 1; None for no limit. If they are more, `error_px` grows,
         up to 8 px, by at most four more bakes, and the result has the error that was chosen. If they are still more,
@@ -84,12 +84,11 @@ def bake_impostors(
     zones = partition(scene, center=middle, r1=0.0, r2=settings.r2)
     counts = zones.summary()
     near_numbers = zones.nsf
-    near = scene.subset(triangles=near_numbers) if len(near_numbers) else None
+    near = scene.subset(triangles=near_numbers)
     bakes = _Bakes(scene, settings)
     baked = bakes.choose(limit) if counts["sf"] > counts["straddling"] else None
     quads = None if baked is None else baked.quads if limit is None else baked.quads.keep_largest(limit)
     far = quads.scene(middle, scene.origin, scene.object_names) if quads is not None and len(quads) else None
-    parts = [part for part in (near, far) if part is not None]
     dropped = 0 if baked is None or quads is None else int(baked.quads.texels.sum() - quads.texels.sum())
     return Impostors(
         center=middle,
@@ -98,8 +97,8 @@ def bake_impostors(
         error_px=settings.error_px if baked is None else baked.error_px,
         face_size=settings.face_size,
         far=far,
-        near=near,
-        scene=join_scenes(parts) if parts else scene,
+        near=near if len(near_numbers) else None,
+        scene=near if far is None else join_scenes([near, far]),
         _quads=quads if far is not None else None,
         _counts={
             "scene_triangles": scene.triangle_count,
@@ -165,7 +164,7 @@ def _check(
 
 @dataclass(frozen=True)
 class _Baked:
-    """Quads, the error that they were baked with, and the share of the far part that probes miss."""
+    """Quads, the error that they were baked with, and the share of the probes' pixels that are missing."""
 
     quads: Quads
     error_px: float
@@ -199,5 +198,4 @@ class _Bakes:
         settings = replace(self._settings, error_px=error_px).for_kernel()
         with progress.bar("baking impostors") as report:
             baked = _core.bake_impostors(self._scene._core, settings, report=report)
-        # Far triangles may exist that no probe sees.
-        return _Baked(Quads.from_kernel(baked), error_px, float(np.nan_to_num(baked["missing"][-1])))
+        return _Baked(Quads.from_kernel(baked), error_px, float(baked["missing"][-1]))

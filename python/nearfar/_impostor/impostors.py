@@ -66,7 +66,7 @@ class Impostors(Renderable):
 
         Far part: `triangles`, `quads`, the `texels` that they show, `layers`, and the `atlas` as width and height in
         texels. `near_triangles`, and `scene_triangles` of the original scene. `error_px` as chosen; `missing`, the
-        share of the far part's pixels that probes of the region miss, before quads were dropped for a budget;
+        share of the pixels of the region's probes that are missing, before quads were dropped for a budget;
         `dropped_quads` and `dropped_texels`, which they showed; `bakes`, the number of tried errors.
         """
         quads, counts = self._quads, self._counts
@@ -151,7 +151,7 @@ class Impostors(Renderable):
         facts += [
             ("baked from", f"{len(self.layers)} centres, {self.face_size} texels a face"),
             ("texture", f"{width:,} × {height:,} texels, of which {stats['texels']:,} are shown"),
-            ("missing in the region", f"{100.0 * stats['missing']:.2g} % of the far part"),
+            ("missing in the region", f"{100.0 * stats['missing']:.2g} % of all pixels"),
         ]
         notes = []
         if stats["dropped_quads"]:

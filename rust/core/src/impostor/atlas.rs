@@ -36,7 +36,10 @@ pub fn build(quads: &[(DVec3, Quad)], size: usize) -> Result<Mesh> {
     let (places, side) = pack(quads)?;
     let mut mesh =
         Mesh { size: side.map(|side| side as u32), texels: try_vec([0; 4], side[0] * side[1])?, ..Mesh::default() };
-    mesh.positions = try_with_capacity(4 * quads.len())?;
+    let vertices = quads.iter().map(|(_, quad)| (quad.cells[0] + 1) * (quad.cells[1] + 1)).sum();
+    let faces = quads.iter().map(|(_, quad)| 2 * quad.cells[0] * quad.cells[1]).sum();
+    (mesh.positions, mesh.uv) = (try_with_capacity(vertices)?, try_with_capacity(vertices)?);
+    (mesh.faces, mesh.quads) = (try_with_capacity(faces)?, try_with_capacity(faces)?);
     for (number, ((center, quad), place)) in quads.iter().zip(&places).enumerate() {
         copy(quad, *place, side[0], &mut mesh.texels);
         mesh.masked.push(quad.is_masked());

@@ -51,7 +51,8 @@ pub struct LayerTile {
 
 /// Planes of a layer's quads by texel.
 pub struct Layer {
-    center: DVec3,
+    /// Centre relative to the scene's origin.
+    pub center: DVec3,
     bound: Bound,
     size: usize,
     tiles: Vec<Option<LayerTile>>,

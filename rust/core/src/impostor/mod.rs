@@ -22,6 +22,7 @@ mod world;
 use glam::DVec3;
 use rayon::prelude::*;
 
+use crate::base::memory::room_for_values;
 use crate::base::{Progress, Result, ensure};
 use crate::cubemap::MAX_SIZE;
 use crate::partition::Partition;
@@ -61,7 +62,7 @@ pub struct Impostors {
     pub mesh: Mesh,
     /// Centre of each layer relative to O, and its number of quads.
     pub layers: Vec<([f64; 3], usize)>,
-    /// Share of pixels missing before each layer was chosen, and at the end.
+    /// Share of the probes' pixels missing before each layer was chosen, and at the end.
     pub missing: Vec<f64>,
     /// Numbers of the static triangles that are not far as a whole and that a ray from the region hit, ascending.
     pub seen: Vec<i64>,
@@ -71,6 +72,11 @@ pub struct Impostors {
 const ROUND: usize = 6;
 /// Fraction of the layers' width that probes' maps have.
 const PROBE_SIZE: u32 = 4;
+
+/// Returns a position that rays have, rounded to float32.
+fn single_precision(position: DVec3) -> DVec3 {
+    position.as_vec3().as_dvec3()
+}
 
 /// Bakes the far part of a scene.
 pub fn bake(scene: &Scene, settings: &Settings, progress: &Progress) -> Result<Impostors> {
@@ -87,10 +93,11 @@ pub fn bake(scene: &Scene, settings: &Settings, progress: &Progress) -> Result<I
         World { scene: &still, partition: &partition, eye, reach, angle: settings.angle, seen: Seen::new(&still)? };
     let around = |radius: f64, n: usize, count: usize, height: f64| {
         let (sin, cos) = (std::f64::consts::TAU * n as f64 / count as f64).sin_cos();
-        eye + DVec3::new(radius * cos, height, radius * sin)
+        single_precision(eye + DVec3::new(radius * cos, height, radius * sin))
     };
-    let mut places = vec![eye];
-    for height in [0.0, 0.5f64.min(0.5 * reach), -0.5f64.max(-0.5 * reach)] {
+    let mut places = vec![single_precision(eye)];
+    let above = 0.5f64.min(0.5 * reach);
+    for height in [0.0, above, -above] {
         let radius = (reach * reach - height * height).sqrt();
         places.extend((0..12).map(|n| around(radius, n, 12, height)));
         places.extend((0..6).map(|n| around(0.5 * radius, n, 6, height)));
@@ -98,7 +105,7 @@ pub fn bake(scene: &Scene, settings: &Settings, progress: &Progress) -> Result<I
     let width = (size / PROBE_SIZE).max(32);
     let probes = places.iter().map(|&at| Probe::trace(&world, at, width, progress)).collect::<Result<Vec<_>>>()?;
     let mut baked = Baked { layers: Vec::new(), quads: Vec::new(), result: Impostors::default() };
-    baked.add(&world, eye, size as usize, &probes, progress)?;
+    baked.add(&world, places[0], size as usize, &probes, progress)?;
     for n in 0..ROUND.min(settings.centers.saturating_sub(1) as usize) {
         baked.add(&world, around(reach, n, ROUND, 0.0), size as usize, &probes, progress)?;
     }
@@ -110,8 +117,11 @@ pub fn bake(scene: &Scene, settings: &Settings, progress: &Progress) -> Result<I
         if share <= settings.missing || baked.layers.len() >= settings.centers as usize {
             break;
         }
+        // A layer leaves out single texels, so a probe may miss some of what a layer from its own place saw.
+        let is_new = |n: &usize| baked.layers.iter().all(|layer| layer.center != probes[*n].position);
+        let others = (0..probes.len()).filter(|n| missing[*n] > 0).filter(is_new);
         // The first of equals, so that the choice does not depend on how probes are counted.
-        let worst = (0..probes.len()).max_by_key(|&n| (missing[n], std::cmp::Reverse(n))).unwrap_or_default();
+        let Some(worst) = others.max_by_key(|&n| (missing[n], std::cmp::Reverse(n))) else { break };
         baked.add(&world, probes[worst].position, size as usize, &probes, progress)?;
     }
     baked.result.seen = world.seen.numbers().collect();
@@ -136,6 +146,8 @@ impl Baked {
         progress: &Progress,
     ) -> Result<()> {
         let count = 6 * tiles_across(size).pow(2);
+        // Owners of texels and their colours, if every tile shows something.
+        room_for_values::<([u16; SIDE * SIDE], [[u8; 4]; SIDE * SIDE])>(count)?;
         progress.expect((count * SIDE * SIDE) as u64);
         let tile = |number: usize| {
             let tile = Tile::trace(world, center, size, place(number, size), &self.layers, probes);

@@ -26,7 +26,7 @@ pub struct Quad {
     pub rectangle: [isize; 4],
     /// Columns and rows of cells.
     pub cells: [usize; 2],
-    /// sRGB and alpha (0 or 255), rows from the top.
+    /// sRGB, and the share of the texel that the surface covers as alpha; rows from the top.
     pub texels: Vec<[u8; 4]>,
 }
 
@@ -87,7 +87,7 @@ pub fn paint(world: &World<'_>, center: DVec3, tile: &Tile, cover: &Cover) -> Qu
     let texels = inside.map(|(column, row)| {
         let (color, alpha) = painted(column, row).0;
         let [r, g, b] = color.map(srgb_from_linear);
-        [r, g, b, (alpha * 255.0) as u8]
+        [r, g, b, (alpha * 255.0).round() as u8]
     });
     let cells = cells(&cover.plane, tile, rectangle);
     Quad { plane: cover.plane, place: tile.place, rectangle, cells, texels: texels.collect() }

@@ -5,6 +5,7 @@ use rayon::prelude::*;
 
 use super::layer::{Layer, Patch};
 use super::world::World;
+use crate::base::memory::try_vec;
 use crate::base::{Progress, Result};
 use crate::cubemap::{direction_from_texel, texel_from_direction};
 use crate::trace::{Hit, Ray};
@@ -25,7 +26,7 @@ pub struct Probe {
 impl Probe {
     /// Traces a probe's map of 6 `size` × `size` texels.
     pub fn trace(world: &World<'_>, position: DVec3, size: u32, progress: &Progress) -> Result<Self> {
-        let mut distances = vec![0.0f32; 6 * (size as usize).pow(2)];
+        let mut distances = try_vec(0.0f32, 6 * (size as usize).pow(2))?;
         distances.par_chunks_mut(TASK).enumerate().try_for_each(|(task, distances)| {
             let ray = |n: usize| Ray {
                 origin: position.as_vec3(),

@@ -156,6 +156,16 @@ fn walls_hidden_from_the_center_are_shown() {
 }
 
 #[test]
+fn surfaces_that_only_lower_eyes_see_are_shown() {
+    // A slab ends 5 cm below O. From O a user sees the wall behind it up to 1.45 m, from 10 cm below O up to 1.85 m.
+    let triangles = [wall([-50.0, 50.0], [1.65, 50.0], -0.6), wall([-1.0, 1.0], [-20.0, 20.0], -3.0)].concat();
+    let settings = Settings { reach: 0.2, r2: 1.0, ..settings(256) };
+    let found = bake(&scene(&triangles), &settings, &Progress::new()).unwrap();
+    let top = found.mesh.positions.iter().map(|p| p[1]).fold(f32::NEG_INFINITY, f32::max) + 1.7;
+    assert!(top > 1.8, "{top}");
+}
+
+#[test]
 fn quads_are_the_same_for_any_number_of_threads() {
     let triangles: Vec<_> = (0..40)
         .flat_map(|n| {
