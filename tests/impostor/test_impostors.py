@@ -26,7 +26,7 @@ def test_stats_count_what_is_drawn(scene: nf.Scene, impostors: nf.Impostors) -> 
     assert stats["scene_triangles"] == scene.triangle_count
     assert sum(count for _, count in impostors.layers) == stats["quads"]
     np.testing.assert_allclose(impostors.layers[0][0], CENTER, atol=1e-6)
-    assert all(np.linalg.norm(np.subtract(at, CENTER)) <= SETTINGS["reach"] + 1e-9 for at, _ in impostors.layers)
+    assert all(np.linalg.norm(np.subtract(at, CENTER)) <= SETTINGS["reach"] + 1e-6 for at, _ in impostors.layers)
     width, height = stats["atlas"]
     assert 0 < stats["texels"] < width * height
     assert stats["missing"] < 0.005
