@@ -38,7 +38,7 @@ class Store:
         self.may_go, self.asked = threading.Event(), threading.Event()
         self.may_go.set()
 
-    def read(self, part: Part) -> None:
+    def read(self, part: Part) -> bool:
         self.asked_for.append(part)
         self.asked.set()
         assert self.may_go.wait(LONG)
@@ -47,6 +47,7 @@ class Store:
         if part in self.damaged:
             raise nf.FormatError(f"damaged: {part}")
         self.held.add(part)
+        return True
 
 
 @contextmanager

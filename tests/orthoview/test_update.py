@@ -207,7 +207,7 @@ def test_changes_beyond_the_tree_are_refused(tree: nf.orthoview.OrthoTree) -> No
 
 
 def test_invalid_calls_of_update_are_named(tree: nf.orthoview.OrthoTree, tmp_path: Path) -> None:
-    with pytest.raises(ValueError, match="path: expected another place"):
+    with pytest.raises(ValueError, match="path: expected another folder"):
         tree.compact(tree.path)
     failing = built(Counted(world_of(BEFORE), {5}), tmp_path / "part.zarr")
     with pytest.raises(ValueError, match=r"expected a complete tree, .*part\.zarr: 1 failed"):

@@ -27,7 +27,10 @@ def document(data: bytes, prefix: str = "") -> Any:
 
     try:
         return json.loads(data, parse_constant=refuse)
-    except (json.JSONDecodeError, UnicodeDecodeError) as error:
+    except UnicodeDecodeError as error:
+        text = f"its text is not in a known encoding ({error.reason} at byte {error.start})"
+        raise UnusableError(f"{prefix}it is not valid JSON: {text}") from None
+    except json.JSONDecodeError as error:
         raise UnusableError(f"{prefix}it is not valid JSON: {check.one_line(str(error), 120)}") from None
 
 

@@ -285,15 +285,17 @@ class Flight(OrthoRenderable):
         views = self._viewer.views.cached_directions(level, place)
         return views | {GEOMETRY} if level == 0 and place in self._viewer.near.cache.values else views
 
-    def _read(self, part: Part) -> None:
+    def _read(self, part: Part) -> bool:
+        """Read a part; return whether it is in the store, and not an empty leaf, which is known without a request."""
         viewer, (level, place, _) = self._viewer, part
         if kind(part) == GEOMETRY:
-            viewer.near.load([place])
-        elif kind(part) == RECORD:
+            return viewer.near.load([place])
+        if kind(part) == RECORD:
             viewer.cutter.learn(level, place)
         else:
             viewer.views.load([part])
             self._upload(part)
+        return True
 
     def _upload(self, part: Part) -> None:
         """Upload a view to the drawing adapter, before a picture shows it."""

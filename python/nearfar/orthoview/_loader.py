@@ -18,10 +18,10 @@ FIRST_PAUSE, MAX_PAUSE = 0.5, 30.0
 class Loader:
     """Reads parts in background threads, one at a time in each.
 
-    `read` reads a part, `is_read` says whether it has been read.
+    `read` reads a part and returns whether the store was asked for it; `is_read` says whether a part has been read.
     """
 
-    def __init__(self, read: Callable[[Part], None], is_read: Callable[[Part], bool], threads: int) -> None:
+    def __init__(self, read: Callable[[Part], bool], is_read: Callable[[Part], bool], threads: int) -> None:
         self._read, self._is_read = read, is_read
         self._queue: deque[Part] = deque()
         self._in_progress: set[Part] = set()
@@ -100,7 +100,7 @@ class Loader:
 
     def _read_next(self, part: Part) -> None:
         try:
-            self._read(part)
+            is_answer = self._read(part)
         except FormatError as error:
             with self._ending(part):
                 self._errors.append(error)
@@ -116,7 +116,8 @@ class Loader:
                 self._queue.appendleft(part)
         else:
             with self._ending(part):
-                self._pause, self._retry_time, self._is_failing = FIRST_PAUSE, 0.0, False
+                if is_answer:
+                    self._pause, self._retry_time, self._is_failing = FIRST_PAUSE, 0.0, False
 
     @contextmanager
     def _ending(self, part: Part) -> Iterator[None]:

@@ -66,16 +66,19 @@ class Near:
         """Evict the least recently used leaves, except needed ones, until the cache fits its size."""
         self.cache.trim(needed, self.max_bytes)
 
-    def load(self, places: Sequence[Place]) -> None:
-        """Read the leaves that are not cached."""
+    def load(self, places: Sequence[Place]) -> bool:
+        """Read the leaves that are not cached; return whether any of them has a file."""
+        has_file = False
         for place in places:
             if place not in self.cache:
                 with formats.guarded(self._address, "orthoviews"):
                     parts = [part for name in names(self._grid, place) if (part := self._read_file(name)) is not None]
+                has_file |= bool(parts)
                 self.cache.put(place, join_scenes(parts) if parts else None)
                 with self._lock:
                     if place in self._joined[0]:
                         self._joined = ((), None)
+        return has_file
 
     def _read_file(self, name: str) -> Scene | None:
         data = self._chunks.geometry(name)
