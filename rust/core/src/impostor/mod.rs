@@ -117,7 +117,7 @@ pub fn bake(scene: &Scene, settings: &Settings, progress: &Progress) -> Result<I
         if share <= settings.missing || baked.layers.len() >= settings.centers as usize {
             break;
         }
-        // A layer leaves out single texels, so a probe may miss some of what a layer from its own place saw.
+        // No place is baked twice: groups that were too small for the first layer would be too small again.
         let is_new = |n: &usize| baked.layers.iter().all(|layer| layer.center != probes[*n].position);
         let others = (0..probes.len()).filter(|n| missing[*n] > 0).filter(is_new);
         // The first of equals, so that the choice does not depend on how probes are counted.
