@@ -40,7 +40,7 @@ def save(path: str | os.PathLike[str], quads: Quads | None, region: Region, text
     target = check.path("path", path, ".glb")
     check.choice("textures", textures, get_args(Textures))
     if quads is None:
-        raise ValueError("save: expected impostors with quads, got none, because nothing lies beyond r2")
+        raise ValueError("save: expected impostors with quads, got none")
     scene = quads.scene((0.0, 0.0, 0.0), np.zeros(3))
     encode = glb_surfaces.png if textures == "png" else glb_surfaces.webp(QUALITY)
     encoder = glb.Encoder(scene._core, scene.object_names, scene._undrawn, encode)
