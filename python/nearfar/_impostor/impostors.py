@@ -164,8 +164,8 @@ class Impostors(Renderable):
         if self._quads is None:
             return f"<nearfar.Impostors: {stats['near_triangles']:,} near triangles, no quads: {_nothing_far(self)}>"
         return (
-            f"<nearfar.Impostors: {stats['near_triangles']:,} near triangles, {stats['triangles']:,} of "
-            f"{stats['quads']:,} quads, {self.error_px:.3g} px within {self.reach:g} m>"
+            f"<nearfar.Impostors: {stats['near_triangles']:,} near triangles, {stats['triangles']:,} far "
+            f"ones of {stats['quads']:,} quads, {self.error_px:.3g} px within {self.reach:g} m>"
         )
 
 
