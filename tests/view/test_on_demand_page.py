@@ -216,7 +216,7 @@ class Watched(LoadedScene):
 
 
 def test_a_cancelled_place_is_not_completed(chromium: Any, city: nf.Scene) -> None:
-    scene = Watched(lambda: city, start=lambda _: viewpoint.facing(START, (3, 1.75, -9)), **{**SETTINGS, "samples": 64})
+    scene = Watched(lambda: city, start=lambda _: viewpoint.facing(START, (3, 1.75, -9)), **{**SETTINGS, "samples": 16})
     failed: list[str] = []
     with Server({"": Site.of_scene(scene, None)}) as server, open_page(chromium, *SIZE) as shown:
         shown.on("requestfailed", lambda request: failed.append(request.url.removeprefix(server.url)))
