@@ -37,7 +37,7 @@ fuzz_target!(|input: Input| {
         return;
     };
     let progress = Progress::new();
-    let found = triangulate(&polygons, &progress).unwrap();
+    let (found, _) = triangulate(&polygons, &progress).unwrap();
     assert_eq!(found.offsets.len(), runs.len());
     for polygon in 0..runs.len() - 1 {
         let own = rings[runs[polygon] as usize] as u32..rings[runs[polygon + 1] as usize] as u32;
@@ -45,7 +45,7 @@ fuzz_target!(|input: Input| {
         assert!(faces.as_flattened().iter().all(|corner| own.contains(corner)));
     }
     let floors = vec![true; runs.len() - 1];
-    let walls = prisms(&polygons, &floors, &progress).unwrap();
+    let (walls, _) = prisms(&polygons, &floors, &progress).unwrap();
     assert!(walls.faces.len() >= 2 * found.faces.len());
     assert!(walls.faces.as_flattened().iter().all(|&corner| (corner as usize) < 2 * points.len()));
 });
