@@ -32,7 +32,7 @@ class Case:
     users: list[nf.Camera]
     r2: float = R2
     settings: dict[str, Any] = field(default_factory=dict)
-    """Further arguments of `nf.bake_impostors`."""
+    """Further arguments of `nf.reduce`."""
 
     @property
     def label(self) -> str:
@@ -84,7 +84,7 @@ def cases(size: tuple[int, int], count: int, quick: bool) -> Iterator[Case]:
 def measure(case: Case, folder: Path) -> list[Any]:
     """Bake, save and draw a case; return a row of the table."""
     since = time.perf_counter()
-    impostors = nf.bake_impostors(case.scene, center=case.center, r2=case.r2, **case.settings)
+    impostors = nf.reduce(case.scene, far="impostors", center=case.center, r2=case.r2, **case.settings)
     seconds = time.perf_counter() - since
     size = case.settings.get("face_size", 1024)
     mapped = nf.reduce(case.scene, center=case.center, r1=0.5 * case.r2, r2=case.r2, face_size=size, morph="none")
@@ -96,7 +96,7 @@ def measure(case: Case, folder: Path) -> list[Any]:
         )
         quality.append([*similarity(truth, frame), *similarity(truth, map_frame)])
     path = folder / "far.glb"
-    impostors.save(path)
+    impostors.save_glb(path, part="far")
     psnr, ssim, map_psnr, map_ssim = np.mean(quality, axis=0).tolist()
     worst = float(np.min(quality, axis=0)[0])
     stats = impostors.stats
@@ -118,7 +118,7 @@ def draw(path: Path, size: tuple[int, int], quick: bool) -> None:
         user, np.add(user, (0.0, 6.0, -40.0)), fov=nf.Fov.symmetric(90, size[0] / size[1]), size=size
     )
     reduced = nf.reduce(city, center=center, r1=30.0, r2=R2)
-    impostors = nf.bake_impostors(city, center=center)
+    impostors = nf.reduce(city, far="impostors", center=center)
     sources: dict[str, tuple[nf.Renderable, int]] = {
         "truth": (city, city.triangle_count),
         "conventional": (reduced.with_morph("none"), reduced.triangle_count),

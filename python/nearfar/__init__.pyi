@@ -33,17 +33,17 @@ from .metrics._comparison import Comparison, compare
 from .metrics._pixel_errors import psnr
 from .metrics._similarity import ssim
 from .metrics._window import Similarity, SsimSettings
+from ._impostor.settings import ImpostorSettings
 from ._reduce.choose_radii import Radii, RadiusSettings, choose_radii
 from ._reduce.baking import MapSettings
 from ._reduce.drawing import MorphSettings
+from ._reduce.impostors import Impostors
 from ._reduce.reduce import reduce
 from ._reduce.reduced_scene import ReducedScene
 from ._reduce.walk.plan import regions
 from ._reduce.walk.recentering import Recentering
 from ._reduce.walk.regions import Regions
 from ._reduce.walk.walker import Walk
-from ._impostor.bake import bake_impostors
-from ._impostor.impostors import Impostors
 from ._lens.lens import ChromaticLens, RadialLens, corrected_solid_angle
 from ._lens.warp import WarpMesh
 from .hmd._hmd import Hmd
@@ -64,6 +64,7 @@ __all__ = [
     "Frame",
     "Hits",
     "Hmd",
+    "ImpostorSettings",
     "Impostors",
     "LoadCurve",
     "LoadOptions",
@@ -91,7 +92,6 @@ __all__ = [
     "Walk",
     "WarpMesh",
     "__version__",
-    "bake_impostors",
     "bend_rays",
     "bounding_sphere",
     "bounding_spheres",

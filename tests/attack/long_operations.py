@@ -182,7 +182,7 @@ _ROWS: tuple[tuple[str | float, ...], ...] = (
     ("frame of a reduced scene", 8,
      "reduced = nf.reduce(soup(100_000), face_size=64, **zones)", "nf.render(reduced, camera(6_000), samples=64)"),
     ("bake impostors", 6, "scene = soup(200_000)",
-     "nf.bake_impostors(scene, center=(0, 0, 0), r2=30.0)"),
+     "nf.reduce(scene, far='impostors', center=(0, 0, 0), r2=30.0)"),
     ("reduce", 6, "scene = soup(500_000)", "nf.reduce(scene, face_size=4096, samples=16, **zones)"),
     ("frame to image", 8,
      "shown = frame(16_000, color=draw.random((16_000, 16_000, 3), np.float32))", "shown.to_image()"),

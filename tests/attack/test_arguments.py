@@ -18,7 +18,6 @@ from tests.support.valid_calls.calls import NAMES, callable_of, needs
 from tests.support.valid_calls.objects import Valid
 
 _LONG = (
-    "bake_impostors",
     "choose_radii",
     "datasets.World.query",
     "datasets.factory",

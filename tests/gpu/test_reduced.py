@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -172,8 +173,8 @@ def test_each_face_looks_in_its_direction() -> None:
 
 @pytest.mark.parametrize("boundary", ["r1", "r2"])
 def test_the_conventional_method_breaks_as_on_the_cpu(city: nf.Scene, boundary: str) -> None:
-    settings = {"morph": "none", "boundary": boundary, "channels": CHANNELS}
-    reduced = nf.reduce(city, center=CENTER, r1=20, r2=40, face_size=128, **settings)  # type: ignore[arg-type]
+    settings: dict[str, Any] = {"morph": "none", "boundary": boundary, "channels": CHANNELS}
+    reduced = nf.reduce(city, center=CENTER, r1=20, r2=40, face_size=128, **settings)
     cpu, gpu = both(reduced, view(USERS["near"]), channels=ALL)
     check_ids(cpu.require("face_id"), gpu.require("face_id"))
     check_color(cpu, gpu)

@@ -15,4 +15,4 @@ def scene() -> nf.Scene:
 
 @pytest.fixture(scope="session")
 def impostors(scene: nf.Scene) -> nf.Impostors:
-    return nf.bake_impostors(scene, **SETTINGS)
+    return nf.reduce(scene, far="impostors", **SETTINGS)

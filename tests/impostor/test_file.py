@@ -24,9 +24,9 @@ def test_a_file_looks_like_the_far_part(
     impostors: nf.Impostors, tmp_path: Path, textures: Textures, least: float
 ) -> None:
     path = tmp_path / "far.glb"
-    impostors.save(path, textures=textures)
+    impostors.save_glb(path, part="far", textures=textures, geometry="plain")
     loaded = nf.Scene.load(path)
-    assert loaded.triangle_count == impostors.triangle_count
+    assert loaded.triangle_count == impostors.stats["triangles"]
     found = np.concatenate([mesh.triangles for mesh in trimesh.load_scene(path, process=False).dump()])
     assert impostors.far is not None
     np.testing.assert_allclose(np.sort(found, axis=0), np.sort(impostors.far.triangles() - CENTER, axis=0), atol=1e-5)
@@ -39,7 +39,7 @@ def test_a_file_looks_like_the_far_part(
 
 def test_the_file_is_plain_gltf(impostors: nf.Impostors, tmp_path: Path) -> None:
     path = tmp_path / "far.glb"
-    impostors.save(path)
+    impostors.save_glb(path, part="far")
     data = path.read_bytes()
     document, end = glb.header(data)
     region = document["scenes"][0]["extras"]["nearfar"]
@@ -61,28 +61,28 @@ def test_the_file_is_plain_gltf(impostors: nf.Impostors, tmp_path: Path) -> None
         assert picture.format == "WEBP"
         assert impostors._quads is not None
         np.testing.assert_array_equal(np.asarray(picture)[..., 3], impostors._quads.atlas[..., 3])
-    impostors.save(path, textures="png")
+    impostors.save_glb(path, part="far", textures="png")
     assert "extensionsRequired" not in glb.header(path.read_bytes())[0]
 
 
 def test_bad_files_are_refused(impostors: nf.Impostors, tmp_path: Path) -> None:
     unknown: Any = "jpeg"
     with pytest.raises(ValueError, match="textures: expected"):
-        impostors.save(tmp_path / "far.glb", textures=unknown)
+        impostors.save_glb(tmp_path / "far.glb", textures=unknown)
     with pytest.raises(ValueError, match="path: expected"):
-        impostors.save(tmp_path / "far.obj")
+        impostors.save_glb(tmp_path / "far.obj")
     with pytest.raises(OSError, match="missing"):
-        impostors.save(tmp_path / "missing" / "far.glb")
+        impostors.save_glb(tmp_path / "missing" / "far.glb")
     assert list(tmp_path.iterdir()) == []
 
 
 @pytest.mark.slow
 def test_the_gltf_validator_finds_no_errors(scene: nf.Scene, tmp_path: Path) -> None:
     need("node")
-    baked = nf.bake_impostors(scene, **{**SETTINGS, "face_size": 64})
+    baked = nf.reduce(scene, far="impostors", **{**SETTINGS, "face_size": 64})
     paths = [tmp_path / f"{textures}.glb" for textures in ("webp", "png")]
-    baked.save(paths[0], textures="webp")
-    baked.save(paths[1], textures="png")
+    baked.save_glb(paths[0], part="far", textures="webp")
+    baked.save_glb(paths[1], part="far", textures="png")
     for report in node("validate.mjs", paths).values():
         messages = [message for message in report["messages"] if message["severity"] < 2]
         assert not messages, messages[:3]

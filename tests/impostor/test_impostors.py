@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+import trimesh
 
 import nearfar as nf
 from tests.support import printed_by_threads
@@ -18,11 +19,10 @@ SMALL: dict[str, Any] = {**SETTINGS, "face_size": 128, "centers": 7}
 
 def test_stats_count_what_is_drawn(scene: nf.Scene, impostors: nf.Impostors) -> None:
     stats = impostors.stats
-    assert impostors.near is not None
     assert impostors.far is not None
-    assert stats["triangles"] == impostors.triangle_count == impostors.far.triangle_count
+    assert stats["triangles"] == impostors.far.triangle_count
     assert stats["near_triangles"] == impostors.near.triangle_count
-    assert impostors.scene.triangle_count == stats["triangles"] + stats["near_triangles"]
+    assert impostors.scene.triangle_count == impostors.triangle_count == stats["triangles"] + stats["near_triangles"]
     assert stats["scene_triangles"] == scene.triangle_count
     assert sum(count for _, count in impostors.layers) == stats["quads"]
     np.testing.assert_allclose(impostors.layers[0][0], CENTER, atol=1e-6)
@@ -38,21 +38,21 @@ def test_stats_count_what_is_drawn(scene: nf.Scene, impostors: nf.Impostors) -> 
 
 
 def test_a_budget_increases_the_error_and_then_drops_the_least_visible_quads(scene: nf.Scene) -> None:
-    free = nf.bake_impostors(scene, **SMALL)
-    coarsest = nf.bake_impostors(scene, **SMALL, error_px=8.0)
+    free = nf.reduce(scene, far="impostors", **SMALL)
+    coarsest = nf.reduce(scene, far="impostors", **SMALL, error_px=8.0)
     assert coarsest.triangle_count < free.triangle_count
     budget = free.triangle_count - 1
-    chosen = nf.bake_impostors(scene, **SMALL, triangles=budget)
+    chosen = nf.reduce(scene, far="impostors", **SMALL, triangles=budget)
     assert chosen.triangle_count <= budget
-    assert free.error_px < chosen.error_px <= 8.0
-    assert chosen.error_px == chosen.stats["error_px"]
+    assert free.settings.error_px < chosen.settings.error_px <= 8.0
+    assert chosen.settings.error_px == chosen.stats["error_px"]
     assert 3 <= chosen.stats["bakes"] <= 5
     assert chosen.stats["dropped_quads"] == 0
     # Below what the greatest error allows.
     budget = coarsest.triangle_count // 2
-    cut = nf.bake_impostors(scene, **SMALL, triangles=budget)
+    cut = nf.reduce(scene, far="impostors", **SMALL, triangles=budget)
     assert 0.9 * budget < cut.triangle_count <= budget
-    assert cut.error_px == 8.0
+    assert cut.settings.error_px == 8.0
     all_quads, kept = coarsest._quads, cut._quads
     assert all_quads is not None
     assert kept is not None
@@ -74,35 +74,40 @@ def test_texels_are_counted_in_each_quads_rectangle(impostors: nf.Impostors) -> 
 
 
 def test_a_scene_without_anything_beyond_r2_has_no_quads(scene: nf.Scene, tmp_path: Any) -> None:
-    near = nf.bake_impostors(scene, **{**SETTINGS, "r2": 300.0})
-    assert (near.far, near.triangle_count, near.layers) == (None, 0, ())
-    assert near.stats["bakes"] == near.stats["quads"] == 0
+    near = nf.reduce(scene, far="impostors", **{**SETTINGS, "r2": 300.0})
+    assert (near.far, near.triangle_count, near.layers) == (None, scene.triangle_count, ())
+    assert near.stats["quads"] == 0
     assert "no static triangle beyond 300 m is seen" in repr(near)
     assert "is seen" in Card(near._repr_html_()).text
     camera = view(np.array(CENTER))
     truth, frame = (nf.render(shown, camera, channels=("color",)) for shown in (scene, near))
     np.testing.assert_array_equal(truth.require("color"), frame.require("color"))
     with pytest.raises(ValueError, match="save: expected impostors with quads"):
-        near.save(tmp_path / "far.glb")
-    empty = nf.bake_impostors(scene.subset(triangles=[]), **SETTINGS)
-    assert (empty.near, empty.far, empty.scene.triangle_count) == (None, None, 0)
+        near.save_glb(tmp_path / "far.glb", part="far")
+    empty = nf.reduce(scene.subset(triangles=[]), far="impostors", **SETTINGS)
+    assert (empty.far, empty.triangle_count) == (None, 0)
 
 
-def test_one_triangle_becomes_a_quad() -> None:
-    scene = nf.Scene.from_arrays([[-6, -2, -30], [6, -2, -30], [0, 8, -30]], [[0, 1, 2]], object_names=["impostors"])
+def test_a_triangle_becomes_a_quad_if_it_is_divided_into_more() -> None:
+    corners, faces = [[-6, -2, -30], [6, -2, -30], [0, 8, -30]], [[0, 1, 2]]
+    fine = trimesh.Trimesh(corners, faces).subdivide().subdivide().subdivide()
+    scene = nf.Scene.from_arrays(fine.vertices, fine.faces, object_names=["impostors"])
     settings: dict[str, Any] = {"center": (0, 0, 0), "reach": 2.0, "r2": 20.0, "face_size": 128}
-    baked = nf.bake_impostors(scene, **settings)
-    assert baked.near is None
+    baked = nf.reduce(scene, far="impostors", **settings)
+    assert baked.near.triangle_count == 0
     assert 2 <= baked.triangle_count <= 40
     assert baked.object_names == ("impostors", "impostors_2")
     for user in ((0.0, 0.0, 0.0), (1.2, 0.5, -1.0)):
         camera = view(np.array(user))
         truth, frame = (nf.render(shown, camera, samples=4, channels=("color",)) for shown in (scene, baked))
         assert nf.psnr(truth, frame) > 36
-    none = nf.bake_impostors(scene, **settings, triangles=1)
-    assert (none.far, none.scene.triangle_count) == (None, 0)
+    kept = nf.reduce(nf.Scene.from_arrays(corners, faces), far="impostors", **settings)
+    assert (kept.near.triangle_count, kept.far) == (1, None)
+    assert "the 1 of the scene stay" in kept.reason
+    none = nf.reduce(scene, far="impostors", **settings, triangles=1)
+    assert (none.far, none.triangle_count) == (None, 0)
     assert none.stats["dropped_texels"] > 0
-    assert "the budget of triangles leaves none" in repr(none)
+    assert "the budget leaves none" in repr(none)
 
 
 @pytest.mark.parametrize(
@@ -110,7 +115,7 @@ def test_one_triangle_becomes_a_quad() -> None:
     [
         ({"center": (0, 0)}, ValueError, "center: expected"),
         ({"center": (1e31, 0, 0)}, ValueError, r"center: expected coordinates within ±1e\+30 m"),
-        ({"center": None}, TypeError, "center: expected"),
+        ({"center": "here"}, TypeError, "center: expected"),
         ({"reach": 0}, ValueError, "reach: expected a number above 0"),
         ({"reach": 12.0}, ValueError, "r2: expected more than reach = 12 m, got 12"),
         ({"r2": np.nan}, ValueError, "r2: expected a finite number"),
@@ -129,7 +134,7 @@ def test_bad_arguments_are_named(
     scene: nf.Scene, arguments: dict[str, Any], error: type[Exception], message: str
 ) -> None:
     with pytest.raises(error, match=message):
-        nf.bake_impostors(**{"scene": scene, **SETTINGS, **arguments})
+        nf.reduce(**{"scene": scene, "far": "impostors", **SETTINGS, **arguments})
 
 
 def test_results_do_not_depend_on_threads() -> None:
@@ -137,7 +142,7 @@ def test_results_do_not_depend_on_threads() -> None:
 import hashlib
 import nearfar as nf
 from tests.support.impostor_cases import SETTINGS, yard
-baked = nf.bake_impostors(yard(), **{**SETTINGS, "face_size": 64, "centers": 2})
+baked = nf.reduce(yard(), far="impostors", **{**SETTINGS, "face_size": 64, "centers": 2})
 quads = baked._quads
 print([hashlib.sha256(getattr(quads, name).tobytes()).hexdigest() for name in ("vertices", "uvs", "faces", "atlas")])
 """

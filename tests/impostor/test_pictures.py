@@ -48,8 +48,8 @@ def test_ground_has_no_gap_at_r2_and_triangles_across_it_are_drawn_whole(
 ) -> None:
     zones = nf.partition(scene, center=CENTER, r1=0.0, r2=R2)
     assert zones.summary()["straddling"] > 0
-    assert impostors.near is not None
-    np.testing.assert_array_equal(impostors.near.triangles(), scene.triangles()[zones.nsf])
+    whole = nf.reduce(scene, far="impostors", **SETTINGS, visible=False)
+    np.testing.assert_array_equal(whole.near.triangles(), scene.triangles()[zones.nsf])
     holes = 0
     for user in [(0.0, 0.0, 0.0), *USERS]:
         for turn in TURNS:
@@ -86,7 +86,7 @@ def test_a_moving_object_beyond_r2_is_drawn_and_can_be_posed(scene: nf.Scene, im
 def test_a_scene_6000_km_from_the_origin_looks_the_same(impostors: nf.Impostors) -> None:
     away = (4_000_000.0, 1000.0, -4_500_000.0)
     center = np.add(CENTER, away)
-    far = nf.bake_impostors(yard(away), **{**SETTINGS, "center": center})
+    far = nf.reduce(yard(away), far="impostors", **{**SETTINGS, "center": center})
     assert abs(far.triangle_count - impostors.triangle_count) < 0.05 * impostors.triangle_count
     user = np.array(USERS[1])
     frame = nf.render(impostors, view(user + CENTER), samples=4, channels=("color",))
@@ -99,7 +99,7 @@ def test_a_scene_6000_km_from_the_origin_looks_the_same(impostors: nf.Impostors)
 def test_the_city_keeps_its_quality_and_size() -> None:
     city = nf.datasets.city()
     center, _ = nf.datasets.street_view()
-    impostors = nf.bake_impostors(city, center=center)
+    impostors = nf.reduce(city, far="impostors", center=center)
     assert impostors.triangle_count <= 15_500
     quality: list[tuple[float, float]] = []
     # The map is not drawn; views follow from the geometry alone.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -186,10 +187,10 @@ def test_a_saved_reduction_of_a_tree_is_restored(
     ],
 )
 def test_unsupported_settings_of_trees_are_refused(
-    layered: Tree, center: tuple[float, float, float], how: dict[str, object], message: str
+    layered: Tree, center: tuple[float, float, float], how: dict[str, Any], message: str
 ) -> None:
     with pytest.raises(ValueError, match=message):
-        nf.reduce(layered, center=center, r1=R1, r2=R2, face_size=16, **how)  # type: ignore[arg-type]
+        nf.reduce(layered, center=center, r1=R1, r2=R2, face_size=16, **how)
 
 
 def test_a_centre_far_from_everything_is_refused(layered: Tree) -> None:

@@ -15,19 +15,21 @@ CENTER = (3.0, 1.7, -2.0)
 SETTINGS: dict[str, Any] = {"center": CENTER, "reach": 2.0, "r2": 12.0, "face_size": 256}
 FOV = nf.Fov.symmetric(90, 16 / 9)
 SIZE = (192, 108)
-_EXTENT, _TILES = 96.0, 24
+_EXTENT, _TILES, _SPLIT = 96.0, 24, 3
+"""Half the width of the ground in metres, its coloured tiles across, and the parts of a tile's edge."""
 
 
 def yard(at: tuple[float, float, float] = (0.0, 0.0, 0.0), *, copies: int = 20) -> nf.Scene:
     """Return the scene, moved by `at` metres; it has `copies` boxes 5 to 50 m from the centre, of several heights."""
     build = nf.SceneBuilder()
-    lines = np.linspace(-_EXTENT, _EXTENT, _TILES + 1)
+    cells = _TILES * _SPLIT
+    lines = np.linspace(-_EXTENT, _EXTENT, cells + 1)
     x, z = (axis.ravel() for axis in np.meshgrid(lines, lines, indexing="ij"))
-    number = np.arange(len(x)).reshape(_TILES + 1, -1)
+    number = np.arange(len(x)).reshape(cells + 1, -1)
     a, b, c, d = (rows.ravel() for rows in (number[:-1, :-1], number[:-1, 1:], number[1:, :-1], number[1:, 1:]))
     faces = np.concatenate([np.column_stack([a, b, c]), np.column_stack([c, b, d])])
     shades = [build.material((0.25, shade, 0.2, 1.0)) for shade in (0.25, 0.45)]
-    material = np.tile((a // (_TILES + 1) + a % (_TILES + 1)) % 2, 2).astype(np.int32)
+    material = np.tile((a // (cells + 1) // _SPLIT + a % (cells + 1) // _SPLIT) % 2, 2).astype(np.int32)
     ground = np.column_stack([x, np.zeros_like(x), z]) + at
     build.instance(build.mesh(ground, faces, material=np.array(shades, np.int32)[material]), name="ground")
     draw = np.random.default_rng(7)

@@ -80,7 +80,7 @@ TAKEN: dict[str, str] = {
 """Kinds of values that single parameters accept besides those of their annotations."""
 
 RANGES: dict[str, str] = {
-    "(0, inf)": "acuity_limit_deg anchor aspect blend cell data_range distance error_px eye_height focal k1 k2"
+    "(0, inf)": "ImpostorSettings.reach acuity_limit_deg anchor aspect blend cell data_range distance error_px eye_height focal k1 k2"
     " lens_radius limit_deg moving pixel radius *.AdaptivePlane.rate reach reference refresh_hz scale seconds shear"
     " sigma speed step tolerance tolerance_px RadiusSettings.r2"
     " choose_radii.r2 regions.r2 r_max mono_plane depth_from_range.near"
@@ -94,9 +94,7 @@ RANGES: dict[str, str] = {
     "[-inf, inf]": "Similarity.mean Scene.dropped *.shown.depth RadialLens.warp.fill",
     "[0, r2)": "r1",
     "(r1, inf)": "r2",
-    "(0, r2)": "bake_impostors.reach",
-    "(reach, inf)": "bake_impostors.r2",
-    "(0, 100]": "bake_impostors.error_px",
+    "(0, 100]": "ImpostorSettings.error_px",
     "(near, inf]": "far",
     "(t_min, inf]": "t_max",
     "[0, inf]": "t_min price",
@@ -117,7 +115,7 @@ RANGES: dict[str, str] = {
     "[0.04, 0.09]": "ipd",
     "[0.1, 1e5]": "nearest",
     "[0, 0.5]": "loss",
-    "[0, 1]": "bake_impostors.missing least pursuit share shutter spread strength lod.*.fade lod.*.hysteresis"
+    "[0, 1]": "ImpostorSettings.missing least pursuit share shutter spread strength lod.*.fade lod.*.hysteresis"
     " level place lod.*.quality",
     "[-1, 1]": "saturated",
     "[0, 1.5708)": "angle cube_lookup.radius",
@@ -147,7 +145,7 @@ RANGES: dict[str, str] = {
     "[1, 8]": "views",
     "[1, 17]": "gpu.ssim.size",
     "[1, 26]": "orthoview.*.directions",
-    "[1, 64]": "blocks groups users threads poses orthoview.*.samples bake_impostors.centers",
+    "[1, 64]": "blocks groups users threads poses orthoview.*.samples ImpostorSettings.centers",
     "[1, 255]": "trials",
     "[1, 256]": "convert_envmap.samples",
     "[1, 1024]": "samples offsets ReducedScene.explore.face_size",
@@ -158,7 +156,7 @@ RANGES: dict[str, str] = {
     "[1, 65536]": "stream.*.face_size",
     "[1, 1e6]": "count trees orthoview.size_for.pixels",
     "[1, 2e6]": "datasets.forest.trees",
-    "[1, inf)": "max_bytes triangles convert_envmap.size envmap_*.size",
+    "[1, inf)": "max_bytes triangles ImpostorSettings.bytes convert_envmap.size envmap_*.size",
     "[2, 15]": "boxes rectangles",
     "[3, 65536]": "keep",
     "[4, 4096]": "orthoview.ViewSettings.size",
@@ -168,7 +166,7 @@ RANGES: dict[str, str] = {
     "[16, 4096]": "stream.simulate.size",
     "[48, 4e6]": "polygons",
     "[64, 4096]": "stream.ExportSettings.face_size",
-    "[64, 8192]": "bake_impostors.face_size",
+    "[64, 8192]": "ImpostorSettings.face_size",
     "[-3, 2]": "channel_axis",
     "[0, 0]": "layer region mesh material",
     "[0, 2]": "i j current ring",

@@ -27,7 +27,7 @@ def scene() -> nf.Scene:
 
 
 def reduced_room(scene: nf.Scene, **settings: Any) -> nf.ReducedScene:
-    return nf.reduce(scene, **{**PLACE, "face_size": 64, **settings})
+    return nf.reduce(scene, far="map", **{**PLACE, "face_size": 64, **settings})
 
 
 def manifest_of(files: dict[str, bytes]) -> dict[str, Any]:

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
+from pathlib import Path
 from typing import Any
 
 from nearfar._base import check, files, formats
 from nearfar._cubemap.envmap import EnvMap
+from nearfar._impostor.settings import ImpostorSettings
+from nearfar._scene.joined import move_origin
 from nearfar._scene.moving_rows import frames_of, moving_rows
 from nearfar._scene.names import MAX_OBJECTS, Names, names_of
 from nearfar._scene.scene import Scene
@@ -17,6 +20,11 @@ NAME, VERSION = "reduced", 2
 """Name of the document's format without "nearfar.", and its version."""
 NEAR, FAR, DOCUMENT = "near.glb", "far.exr", "reduced.json"
 """Names of the files in a folder."""
+QUADS, LIGHT = "far.glb", "light.glb"
+"""Names of the files of impostors: the far part alone, and near and far part together."""
+
+IMPOSTOR_SETTINGS = tuple(field.name for field in fields(ImpostorSettings))
+"""Names of the settings of impostors that a folder stores."""
 
 COUNTS = ("triangles", "near", "intermediate", "nsf", "nsf_at_r1", "sf", "rays")
 """Names of counts of the whole scene, which are stored because the near part does not determine them."""
@@ -40,10 +48,14 @@ class Contents:
     """`COUNTS` of the scene that was reduced."""
     reasons: Mapping[str, str] = field(default_factory=dict)
     """Reasons for the centre and radii that `reduce` chose, by their names in `REASONS`."""
+    impostors: dict[str, Any] | None = None
+    """Settings, counts and layers of impostors; None for a reduced scene with a map alone."""
 
 
-def save(path: str | os.PathLike[str], contents: Contents, *, half: bool) -> None:
-    """Write a folder atomically; `ReducedScene.save` describes its files."""
+def save(
+    path: str | os.PathLike[str], contents: Contents, *, half: bool, extra: Mapping[str, bytes] | None = None
+) -> None:
+    """Write a folder atomically; `ReducedScene.save` describes its files. `extra` are further files by name."""
     from nearfar._scene import glb
 
     near, env, target = contents.near, contents.env, check.path("path", path)
@@ -63,11 +75,14 @@ def save(path: str | os.PathLike[str], contents: Contents, *, half: bool) -> Non
         notes=list(near.report.notes),
         **_object_names(near, env),
         **({"reasons": dict(contents.reasons)} if contents.reasons else {}),
+        **({} if contents.impostors is None else {"impostors": contents.impostors}),
     )
     with files.atomic_folder(target, marker=DOCUMENT) as folder:
         files.write(folder / NEAR, glb.encode(near._core, near.object_names, near._undrawn))
         if env is not None:
             env.save(folder / FAR, half=half)
+        for name, data in (extra or {}).items():
+            files.write(folder / name, data)
         (folder / DOCUMENT).write_text(formats.to_json(document, compact=True), encoding="utf-8")
 
 
@@ -110,6 +125,8 @@ def load(path: str | os.PathLike[str]) -> Contents:
         has_map = document["files"]["far"] is not None
         texts = check.mapping("reasons", document.get("reasons", {}), "texts by name")
         reasons = {name: check.text(name, texts[name]) for name in REASONS if name in texts}
+        stated = document.get("impostors")
+        impostors = None if stated is None else dict(check.mapping("impostors", stated, "values by name"))
         notes = tuple(check.instance("notes", note, str, "texts") for note in document.get("notes", []))
     data = (folder / NEAR).read_bytes()
     env = EnvMap.load(folder / FAR) if has_map else None
@@ -133,4 +150,14 @@ def load(path: str | os.PathLike[str]) -> Contents:
             check.choice("boundary", document["boundary"], ("r1", "r2")),
             counts,
             reasons,
+            impostors,
         )
+
+
+def load_quads(folder: Path, center: tuple[float, float, float]) -> Scene:
+    """Read the far part of impostors; FormatError if the file is damaged, OSError if it is missing."""
+    path = folder / QUADS
+    if not path.is_file():
+        raise FileNotFoundError(f"{path}: expected the quads of impostors, found no file")
+    with formats.guarded(path):
+        return move_origin(Scene.load(path), center)

@@ -1,4 +1,4 @@
-"""Runs the near–far stages, partition and bake, in order, for `reduce` and the explorer."""
+"""Runs the near–far stages, partition and bake of a map or of impostors, in order."""
 
 from __future__ import annotations
 
@@ -6,11 +6,17 @@ from abc import ABC, abstractmethod
 from dataclasses import replace
 from typing import Any, Unpack
 
+import numpy as np
 from numpy.typing import ArrayLike
 
 from nearfar._cubemap.envmap import EnvMap
+from nearfar._impostor import bake as impostor_bake, file
+from nearfar._impostor.bake import Region
+from nearfar._impostor.budget import Budget
+from nearfar._impostor.quads import Point
+from nearfar._impostor.settings import ImpostorSettings
 from nearfar._partition.partition import Unit, partition
-from nearfar._reduce import folder
+from nearfar._reduce import default_radii, folder
 from nearfar._reduce.baking import MapKeywords, MapSettings, bake_arguments, require_cpu
 from nearfar._reduce.drawing import Boundary
 from nearfar._render.bake import bake
@@ -63,3 +69,75 @@ def parts(
         env, rays = bake(zones.scene, zones.center, radius, **bake_arguments(baking, scene))
     counts = {name: count for name, count in (zones.summary() | {"rays": rays}).items() if name in folder.COUNTS}
     return {"scene": zones.scene, "zones": zones, "env": env, "counts": counts}
+
+
+def impostor_parts(scene: Scene, center: Point, r2: float, settings: ImpostorSettings) -> dict[str, Any]:
+    """Partition a scene and bake impostors of its far part; return arguments of `Impostors`, and `notes` by name.
+
+    `center` and `r2` are checked. ValueError for a reach that is not less than r2.
+    """
+    reach = min(default_radii.REACH, 0.5 * r2) if settings.reach is None else settings.reach
+    if not r2 > reach:
+        raise ValueError(f"r2: expected more than reach = {reach:g} m, got {r2:g}")
+    region = Region(center, reach, r2, settings.error_px)
+    facts: dict[str, Any] = {"center": center, "reach": reach, "r2": r2, "settings": settings}
+    counts = {"scene_triangles": scene.triangle_count, "missing": 0.0, "changed": 0.0, "bakes": 0}
+    if fitting := _explain_fit(scene, region, settings):
+        return facts | _whole(scene, counts, fitting)
+    zones = partition(scene, center=center, r1=0.0, r2=r2)
+    budget = Budget(zones, region, settings)
+    baked = budget.bake()
+    quads, used = baked.quads, baked.settings
+    if quads is not None and len(baked.near) + baked.far_count >= scene.triangle_count:
+        note = f"impostors would have {baked.far_count:,} triangles, so the {scene.triangle_count:,} of the scene stay"
+        return facts | _whole(scene, counts | {"bakes": budget.bakes}, note)
+    notes = {}
+    if quads is None:
+        is_cut = budget.dropped[0] > 0
+        notes = {"far": "the budget leaves none" if is_cut else f"no static triangle beyond {r2:g} m is seen"}
+    near = scene.subset(triangles=baked.near)
+    far = None if quads is None else quads.scene(center, scene.origin, scene.object_names)
+    counts |= {
+        "missing": baked.missing,
+        "changed": impostor_bake.changed_share(zones, region, baked.near),
+        "bakes": budget.bakes,
+    }
+    dropped = {"dropped_quads": budget.dropped[0], "dropped_texels": budget.dropped[1]}
+    layers = () if quads is None else quads.layers
+    return facts | {
+        "settings": used,
+        "near": near,
+        "far": far,
+        "stats": {
+            "triangles": baked.far_count,
+            "quads": 0 if quads is None else len(quads),
+            "texels": 0 if quads is None else int(quads.texels.sum()),
+            "layers": len(layers),
+            "atlas": (0, 0) if quads is None else quads.atlas.shape[1::-1],
+            "near_triangles": near.triangle_count,
+            "error_px": used.error_px,
+            **counts,
+            **dropped,
+        },
+        "layers": tuple((tuple(np.add(center, offset).tolist()), count) for offset, count in layers),
+        "notes": notes,
+        "_quads": quads,
+    }
+
+
+def _explain_fit(scene: Scene, region: Region, settings: ImpostorSettings) -> str:
+    """Return why a scene needs no reduction: it keeps the budgets as it is. Empty if it doesn't, or without budgets."""
+    triangles, size = settings.triangles, settings.bytes
+    if (triangles is None and size is None) or scene.triangle_count > (triangles or scene.triangle_count):
+        return ""
+    if size is not None and len(file.encode(None, region, near=scene)) > size:
+        return ""
+    kept = " and ".join(f"{limit:,} {name}" for limit, name in ((triangles, "triangles"), (size, "bytes")) if limit)
+    return f"the scene fits into {kept} as it is, so nothing was baked"
+
+
+def _whole(scene: Scene, counts: dict[str, Any], note: str) -> dict[str, Any]:
+    """Return the arguments of `Impostors` for a scene that stays as it is."""
+    nothing = {"triangles": 0, "quads": 0, "texels": 0, "layers": 0, "atlas": (0, 0), "error_px": 0.0}
+    stats = {**nothing, "near_triangles": scene.triangle_count, **counts, "dropped_quads": 0, "dropped_texels": 0}
+    return {"near": scene, "far": None, "stats": stats, "layers": (), "notes": {"far": note}, "_quads": None}

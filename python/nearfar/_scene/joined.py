@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
 from nearfar._scene.names import Names
 from nearfar._scene.poses import frame_of
 from nearfar._scene.scene import Scene
+from nearfar._scene.serialize import core_of_parts, parts_of
 
 
 def join_scenes(scenes: Sequence[Scene]) -> Scene:
@@ -32,6 +33,12 @@ def join_scenes(scenes: Sequence[Scene]) -> Scene:
         used=tuple(dict.fromkeys(extension for scene in scenes for extension in scene._used)),
         undrawn={tag: material for scene in scenes for tag, material in scene._undrawn.items()},
     )
+
+
+def move_origin(scene: Scene, origin: ArrayLike) -> Scene:
+    """Move a scene without dynamic objects so that its origin lies at another position (3,), metres."""
+    core = core_of_parts(parts_of(scene._core) | {"origin": tuple(np.asarray(origin, np.float64).tolist())})
+    return scene._derived(core, scene._load_placements)
 
 
 def _union(name_lists: Sequence[Names]) -> tuple[Names, list[NDArray[np.int32]]]:

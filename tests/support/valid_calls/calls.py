@@ -49,7 +49,8 @@ SETTINGS = {
     "orthoview.OrthoTree.far_map": "MapSettings", "orthoview.OrthoTree.render": "RenderSettings",
     "stereo.HybridRig.render": "RenderSettings stereo.HybridSettings",
     "stereo.TemporalAntialiasing.render": "RenderSettings stereo.HybridSettings", "choose_radii": "RadiusSettings",
-    "reduce": "MapSettings", "regions": "RadiusSettings MapSettings",
+    "reduce": "MapSettings", "Impostors.render": "RenderSettings",
+    "regions": "RadiusSettings MapSettings",
 }  # fmt: skip
 """Groups of settings whose fields callables also take as keywords."""
 

@@ -121,7 +121,7 @@ class Valid:
     @functools.cached_property
     def impostors(self) -> nf.Impostors:
         """The scene, with its far part as quads."""
-        return nf.bake_impostors(self.scene, center=EYE, **FAR)
+        return nf.reduce(self.scene, far="impostors", center=EYE, **FAR)
 
     @functools.cached_property
     def regions(self) -> nf.Regions:
@@ -240,6 +240,7 @@ class Valid:
             "EnvMap": ("map.exr", self.env.save),
             "Frame": ("frame.exr", self.frame.save),
             "Hmd": ("hmd.json", self.hmd.save),
+            "Impostors": ("impostors", self.impostors.save),
             "LodModel": ("model.json", self.model.save),
             "ReducedScene": ("reduced", self.reduced.save),
             "Scene": ("scene.obj", lambda path: path.write_text(trimesh.exchange.obj.export_obj(self.mesh))),

@@ -56,8 +56,10 @@ SCENES: dict[str, Make] = {
     "regions @area": lambda v: {
         "path": None, "area": [(-0.5, 0.0), (0.5, 1.0)], "budget": v.scene.triangle_count, **WALK,
     },
-    "bake_impostors": lambda v: {"center": EYE, **FAR},
-    "Impostors.save": lambda v: {"path": v.folder / "saved.glb"},
+    "ImpostorSettings": lambda v: {"face_size": 64},
+    "Impostors.load": lambda v: {"path": v.file("Impostors")},
+    "Impostors.save": lambda v: {"path": v.folder / "saved"},
+    "Impostors.save_glb": lambda v: {"path": v.folder / "saved.glb"},
     "datasets.World.query": lambda v: {"detail": 400.0},
     "datasets.city": lambda v: {"detail": 0},
     "datasets.factory": lambda v: {"detail": 0},
