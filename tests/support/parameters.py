@@ -80,9 +80,9 @@ TAKEN: dict[str, str] = {
 """Kinds of values that single parameters accept besides those of their annotations."""
 
 RANGES: dict[str, str] = {
-    "(0, inf)": "ImpostorSettings.reach acuity_limit_deg anchor aspect blend cell data_range distance error_px eye_height focal k1 k2"
+    "(0, inf)": "acuity_limit_deg anchor aspect blend cell data_range distance error_px eye_height focal k1 k2"
     " lens_radius limit_deg moving pixel radius *.AdaptivePlane.rate reach reference refresh_hz scale seconds shear"
-    " sigma speed step tolerance tolerance_px RadiusSettings.r2"
+    " sigma speed step tolerance tolerance_px RadiusSettings.r2 ImpostorSettings.reach"
     " choose_radii.r2 regions.r2 r_max mono_plane depth_from_range.near"
     " stereo.mono_plane_for.slope range_from_depth.near range_error.near regions.budget",
     "(0, 4294967295)": "orthoview.OrthoTree.render.budget",

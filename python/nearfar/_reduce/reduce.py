@@ -118,9 +118,9 @@ def reduce(
             ("boundary", boundary, "r2"),
             ("unit", unit, "triangle"),
         )
-        for name, value, default in published:
-            if value != default:
-                raise ValueError(f"{name}: expected none with far='impostors', got {value}, which far='map' takes")
+        for name, stated, default in published:
+            if stated != default:
+                raise ValueError(f"{name}: expected none with far='impostors', got {stated}, which far='map' takes")
         return _impostors(
             check.instance("scene", scene, Scene), center, r2, gather(ImpostorSettings, settings, keywords)
         )

@@ -8,7 +8,7 @@ import numpy as np
 
 import nearfar as nf
 from nearfar._scene.names import Names
-from tests.support.valid_calls.objects import EYE, FAR
+from tests.support.valid_calls.objects import EYE
 from tests.support.valid_calls.values import Make
 
 WALK: dict[str, Any] = {"reach": 0.5, "hysteresis": 0.1}
