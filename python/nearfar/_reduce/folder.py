@@ -106,6 +106,11 @@ def _names(stated: Any) -> Sequence[str] | int:
     return check.integer("object_names", stated, 0, MAX_OBJECTS)
 
 
+def has_impostors(path: str | os.PathLike[str]) -> bool:
+    """Return whether a folder has impostors; errors as in `load`."""
+    return formats.read_json(Path(path) / DOCUMENT, NAME, VERSION).get("impostors") is not None
+
+
 def load(path: str | os.PathLike[str]) -> Contents:
     """Read a folder; FormatError if a file is damaged or too new, OSError if one is missing."""
     from nearfar._scene import glb
@@ -160,4 +165,5 @@ def load_quads(folder: Path, center: tuple[float, float, float]) -> Scene:
     if not path.is_file():
         raise FileNotFoundError(f"{path}: expected the quads of impostors, found no file")
     with formats.guarded(path):
-        return move_origin(Scene.load(path), center)
+        quads = move_origin(Scene.load(path), center)
+        return quads._derived(quads._core, quads._load_placements, used=())

@@ -126,20 +126,28 @@ class Impostors(Renderable):
         return Recentering(middle, lambda: reduce_to_impostors(source, middle, self.r2, settings))
 
     def save(
-        self, path: str | os.PathLike[str], *, textures: Textures = "webp", geometry: Geometry = "meshopt"
+        self,
+        path: str | os.PathLike[str],
+        *,
+        published: ReducedScene | None = None,
+        textures: Textures = "webp",
+        geometry: Geometry = "meshopt",
     ) -> None:
         """Write a folder that engines and nearfar can read, atomically.
 
         `light.glb` has near and far part, `near.glb` and `far.glb` one of them each. `far.exr` is the map of the
         published method, which `nearfar.ReducedScene.load` shows with `near.glb`. `reduced.json` has all other data.
         In `light.glb` and `far.glb` positions are relative to O, whose world position is `extras.nearfar.center` of the
-        file's scene. The map is baked now if it was not used before. ValueError for impostors that `load` read; OSError
-        if the folder cannot be written or contains other files.
+        file's scene. ValueError for impostors that `load` read, or another reduction's centre or r2; OSError if the
+        folder cannot be written or contains other files.
 
         Parameters
         ----------
         path
             The folder. An existing folder is replaced if it is empty or contains a `reduced.json`.
+        published
+            Reduction with the same centre and r2, whose map is written; by default the property `published`, whose map
+            is baked now if it was not used before.
         textures
             "webp": the texture of the quads in quality 80 with `EXT_texture_webp`, which readers need. "png": lossless.
         geometry
@@ -150,7 +158,12 @@ class Impostors(Renderable):
         check.choice("geometry", geometry, file.GEOMETRIES)
         if self._source is None or isinstance(self._source, ReducedScene):
             raise ValueError("save: expected impostors that were baked, got those of a folder, which can be copied")
-        published = self.published
+        published = self.published if published is None else check.instance("published", published, ReducedScene)
+        if (published.center, published.r2) != (self.center, self.r2):
+            raise ValueError(
+                f"published: expected the centre {self.center} and r2 = {self.r2:g}, got {published.center} and "
+                f"{published.r2:g}"
+            )
         contents = folder.Contents(
             self.near,
             published.env,

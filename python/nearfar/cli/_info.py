@@ -15,7 +15,7 @@ from nearfar.cli import _options as options, _own_files, _viewpoint
 from nearfar.cli._groups import flag, option
 from nearfar.cli._output import Clock, bytes_text, check_target, count, metres, show, triangles_text
 from nearfar.cli._render import camera
-from nearfar.cli._scenes import SceneOptions, is_reduced, open_scene
+from nearfar.cli._scenes import SceneOptions, is_reduced, open_reduced, open_scene
 
 VERSION = 1
 
@@ -55,7 +55,7 @@ def info(
         check_target(preview, ".png")
     clock = Clock()
     with clock.step("load"):
-        reduced = nf.ReducedScene.load(scene) if is_reduced(scene) else None
+        reduced = open_reduced(scene) if is_reduced(scene) else None
         own = None if reduced is not None else _own_files.open_own(scene)
         if own is not None:
             file.refuse("with a file of nearfar, which is in metres")
@@ -141,8 +141,10 @@ def describe(scene: nf.Scene) -> dict[str, Any]:
     }
 
 
-def describe_reduced(reduced: nf.ReducedScene, path: Path) -> dict[str, Any]:
-    """Return the part of the document that describes a reduced scene."""
+def describe_reduced(source: nf.ReducedScene | nf.Impostors, path: Path) -> dict[str, Any]:
+    """Return the part of the document that describes a reduced scene or impostors."""
+    impostors = source if isinstance(source, nf.Impostors) else None
+    reduced = source.published if isinstance(source, nf.Impostors) else source
     stats, env = reduced.stats, reduced.env
     map_entry = env and {"face_size": env.face_size, "channels": list(env.channels), "bytes": env.nbytes}
     return {
@@ -151,11 +153,12 @@ def describe_reduced(reduced: nf.ReducedScene, path: Path) -> dict[str, Any]:
         "r2": reduced.r2,
         "morph": reduced.morph,
         "triangles": int(stats["triangles"]),
-        "triangles_left": int(stats["drawn"]),
+        "triangles_left": int(stats["drawn"]) if impostors is None else impostors.triangle_count,
         "map": map_entry,
+        "impostors": None if impostors is None else {"reach": impostors.reach, **impostors.stats},
         "files": {
             name: (path / name).stat().st_size
-            for name in (folder.NEAR, folder.FAR, folder.DOCUMENT)
+            for name in (folder.LIGHT, folder.NEAR, folder.QUADS, folder.FAR, folder.DOCUMENT)
             if (path / name).is_file()
         },
     }
@@ -172,12 +175,24 @@ def _reduced_rows(document: dict[str, Any]) -> list[tuple[str, str]]:
         ("centre", metres(document["center"])),
         ("radii", f"r1 = {document['r1']:g} m, r2 = {document['r2']:g} m; morph {document['morph']}"),
         ("map", map_text),
+        *_impostor_rows(document["impostors"]),
         ("files", ", ".join(f"{name} {bytes_text(size)}" for name, size in document["files"].items())),
     ]
 
 
+def _impostor_rows(impostors: dict[str, Any] | None) -> list[tuple[str, str]]:
+    if impostors is None:
+        return []
+    triangles, quads, layers = (count(impostors[name]) for name in ("triangles", "quads", "layers"))
+    error = f"at most {impostors['error_px']:.3g} px off within {impostors['reach']:g} m"
+    return [("impostors", f"{triangles} triangles of {quads} quads from {layers} centres, {error}")]
+
+
 def _save_preview(
-    scene: nf.Scene | None, source: str, subject: nf.ReducedScene | _own_files.Own | None, path: Path
+    scene: nf.Scene | None,
+    source: str,
+    subject: nf.ReducedScene | nf.Impostors | _own_files.Own | None,
+    path: Path,
 ) -> None:
     if isinstance(subject, nf.orthoview.OrthoTree):
         files.write_png(path, subject.preview())
@@ -187,7 +202,7 @@ def _save_preview(
         scene = subject.scene
     if scene is None:
         raise ValueError(f"preview: expected a file with geometry, got {source}, a model without")
-    reduced = subject if isinstance(subject, nf.ReducedScene) else None
+    reduced = subject if isinstance(subject, nf.ReducedScene | nf.Impostors) else None
     user_view = None if reduced is None else _viewpoint.view_of(source)
     viewpoint = _viewpoint.choose(scene, source, None if reduced is None else reduced.center)
     eye_and_target = (viewpoint.eye, viewpoint.target) if user_view is None else (user_view.user, user_view.target)

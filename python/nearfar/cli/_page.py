@@ -30,6 +30,7 @@ TITLES = {
     "truth": "truth: the whole scene",
     "conventional": "conventional: near geometry and map, not joined",
     "continuous": "continuous: near-far morph",
+    "impostors": "impostors: near geometry and textured quads",
     "published": "continuous, with the published ratio of radii",
 }
 """Captions of the pictures."""
@@ -141,15 +142,19 @@ def _add_row(parent: Element, tag: str, cells: list[str]) -> None:
 
 
 def save_pictures(folder: Path, pictures: dict[str, NDArray[np.uint8]]) -> None:
-    """Save each picture, and all of them side by side under captions."""
+    """Save each picture, and all of them side by side under captions, more than three in two rows."""
     from PIL import Image
 
     for name, picture in pictures.items():
         Image.fromarray(picture).save(folder / f"{name}.png")
     captioned = [caption(picture, TITLES[name]) for name, picture in pictures.items()]
-    gap = np.full((captioned[0].shape[0], 6, 3), 255, np.uint8)
-    row = [part for picture in captioned for part in (picture, gap)][:-1]
-    Image.fromarray(np.concatenate(row, axis=1)).save(folder / "side_by_side.png", optimize=True)
+    columns = len(captioned) if len(captioned) <= 3 else (len(captioned) + 1) // 2
+    height, width = (side + 6 for side in captioned[0].shape[:2])
+    sheet = np.full((-(-len(captioned) // columns) * height - 6, columns * width - 6, 3), 255, np.uint8)
+    for number, picture in enumerate(captioned):
+        top, left = number // columns * height, number % columns * width
+        sheet[top : top + height - 6, left : left + width - 6] = picture
+    Image.fromarray(sheet).save(folder / "side_by_side.png", optimize=True)
 
 
 def caption(picture: NDArray[np.uint8], text: str) -> NDArray[np.uint8]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal
 
@@ -12,11 +13,12 @@ from numpy.typing import NDArray
 import nearfar as nf
 from nearfar._base import files, formats
 from nearfar._reduce import default_radii, findings
-from nearfar.cli import _options as options, _page, _viewpoint
-from nearfar.cli._groups import choice
+from nearfar.cli import _options as options, _page, _users, _viewpoint
+from nearfar.cli._groups import Options, choice, flag, option
 from nearfar.cli._methods import Methods, render_all
 from nearfar.cli._output import (
     Clock,
+    bytes_text,
     count,
     map_text,
     metres,
@@ -34,11 +36,45 @@ from nearfar.metrics._comparison import visible_difference
 VERSION = 1
 
 
+@dataclass(frozen=True, kw_only=True)
+class FarOptions(Options):
+    """Far part: textured quads, their region and budgets, or the published map."""
+
+    far: Literal["impostors", "map"] = choice(
+        "impostors", "Far part: textured quads, which keep their parallax, or the map of the published method alone."
+    )
+    reach: float | None = option(
+        None, "METRES", "Radius around the centre within which users see quads right. By default 8, at most half of r2."
+    )
+    error_px: float = option(2.0, "PIXELS", "Greatest error of quads, in pixels of 1/20 degree.")
+    budget_triangles: int | None = option(None, "N", "Greatest number of triangles of near and far part together.")
+    budget_bytes: int | None = option(None, "N", "Greatest size of light.glb.")
+    keep_hidden: bool = flag("--keep-hidden", "Keep near triangles that no user within reach sees.")
+    textures: Literal["webp", "png"] = choice("webp", "Images of light.glb and far.glb; not all programs read WebP.")
+    geometry: Literal["meshopt", "plain"] = choice(
+        "meshopt", "Geometry of light.glb and far.glb; not all programs read meshopt."
+    )
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if self.far == "map":
+            for name in self.given_options():
+                if name != "far":
+                    raise ValueError(f"{name}: expected none with --far map")
+
+    @property
+    def keywords(self) -> dict[str, Any]:
+        """Fields of `ImpostorSettings`."""
+        budgets = {"triangles": self.budget_triangles, "bytes": self.budget_bytes}
+        return {"reach": self.reach, "error_px": self.error_px, **budgets, "visible": not self.keep_hidden}
+
+
 def reduce(
     *,
     scene: options.Input,
     output: options.Folder,
     zones: options.MapOptions,
+    far: FarOptions,
     with_range: options.WithRange = False,
     equirectangular: Literal["exr", "png"] | None = choice(
         None, "Also write the map as one picture, far-equirectangular.exr or .png."
@@ -48,18 +84,30 @@ def reduce(
     file: SceneOptions,
     as_json: options.Json = False,
 ) -> None:
-    """Reduce a scene to near.glb, far.exr and reduced.json for a client, and write a report with pictures.
+    """Reduce a scene to light.glb, which engines load, and write a report with pictures.
 
-    The pictures show the truth, the conventional and the continuous method for a user beside the centre.
-    `nearfar render`, `nearfar compare` and `nearfar.ReducedScene.load` read the folder.
+    The pictures show the truth, the conventional and the continuous method, and the quads of light.glb, for a user
+    beside the centre. The folder also has near.glb, far.glb, far.exr (the published map) and reduced.json; with --far
+    map it has no quads. `nearfar render`, `nearfar compare`, `nearfar.Impostors.load` and `nearfar.ReducedScene.load`
+    read it.
     """
     clock, loading = Clock(), file.loading
+    if far.far == "impostors" and zones.r1 is not None:
+        raise ValueError("r1: expected none with impostors, which are not morphed; --far map takes it")
     with files.atomic_folder(output, marker="reduced.json") as folder:
         with clock.step("scene"):
             loaded = open_scene(scene, loading)
         with clock.step("place"):
             viewpoint = _viewpoint.choose(loaded, scene, zones.point)
             radii = zones.choose_radii(loaded, viewpoint)
+        impostors = None
+        if far.far == "impostors":
+            with clock.step("impostors"):
+                settings = nf.ImpostorSettings(**far.keywords, face_size=max(zones.face_size, 64))
+                impostors = nf.reduce(loaded, center=viewpoint.eye, r2=zones.r2, far="impostors", settings=settings)
+            if impostors.r2 != radii.r2:
+                radii = default_radii.choose(loaded, viewpoint, None, impostors.r2)
+        with clock.step("user"):
             r1, r2 = radii.r1, radii.r2
             stand = _viewpoint.stands(loaded, viewpoint, r1, r2)[0]
         view = camera(stand.user, stand.target, 90.0, picture.pixels)
@@ -67,22 +115,37 @@ def reduce(
             curve = nf.load_curve(loaded, center=viewpoint.eye)
         reduction = {"center": viewpoint.eye, "r1": r1, "r2": r2, "face_size": zones.face_size, "backend": backend}
         reduction |= {"samples": picture.samples, "channels": ("color", "range") if with_range else ("color",)}
-        settings: dict[str, Any] = {"samples": picture.samples, "channels": ("color",)}
+        drawing: dict[str, Any] = {"samples": picture.samples, "channels": ("color",)}
         with clock.step("reduce"):
             methods = Methods.prepare(loaded, reduction)
-        frames, reduced = render_all(loaded, methods, view, clock, settings, backend), methods.reduced
+        frames, reduced = render_all(loaded, methods, view, clock, drawing, backend), methods.reduced
+        sources: dict[str, nf.Renderable] = {"conventional": reduced.with_morph("none"), "continuous": reduced}
+        if impostors is not None:
+            sources["impostors"] = impostors
+            with clock.step("picture of impostors"):
+                frames["impostors"] = nf.render(impostors, view, backend=backend, **drawing)
         published_r1 = default_radii.PUBLISHED * r2
         if radii.is_by_ground and published_r1 > r1:
             with clock.step("published radii"):
-                frames["published"] = reduced.with_r1(published_r1).render(view, **settings)
+                frames["published"] = reduced.with_r1(published_r1).render(view, **drawing)
         with clock.step("files"):
-            reduced.save(folder)
+            if impostors is None:
+                reduced.save(folder)
+            else:
+                impostors.save(folder, published=reduced, textures=far.textures, geometry=far.geometry)
             if equirectangular is not None and reduced.env is not None:
                 reduced.env.save_equirectangular(folder / f"far-equirectangular.{equirectangular}")
         with clock.step("pictures"):
             pictures = {name: frame.to_image() for name, frame in frames.items()}
-            _page.save_pictures(folder, pictures)
+            shown = ("truth", "conventional", "continuous", "impostors", "published")
+            _page.save_pictures(folder, {name: pictures[name] for name in shown if name in pictures})
             has_plot = _page.save_curve(folder, curve, r2)
+        with clock.step("users"):
+            reach = default_radii.user_distance(r1, r2) if impostors is None else impostors.reach
+            aspect = picture.pixels[0] / picture.pixels[1]
+            users = _users.choose_users(loaded, viewpoint.eye, reach, aspect)
+            users_document = _users.measure(loaded, sources, users, picture.samples)
+            _users.plot(folder / "users.png", users_document)
         margin = nf.fold_margin(stand.user, center=viewpoint.eye, r1=r1, r2=r2)
         document = formats.header("report", VERSION, origin=loaded.origin.tolist(), color_space="sRGB") | {
             "source": scene,
@@ -91,10 +154,13 @@ def reduce(
             "unit_note": loaded.report.unit_note,
             "notes": list(loaded.report.notes),
             "triangles": int(loaded.triangle_count),
-            "triangles_left": int(reduced.stats["drawn"]),
+            "triangles_left": int(reduced.stats["drawn"]) if impostors is None else impostors.triangle_count,
             "map_bytes": int(reduced.stats["map_bytes"]),
             "map_file_bytes": (folder / "far.exr").stat().st_size if reduced.env is not None else 0,
             "pictures": {name: _difference(pictures["truth"], pictures[name]) for name in frames if name != "truth"},
+            "users": users_document,
+            "sizes": _sizes(folder, reduced, impostors),
+            "impostors": None if impostors is None else {"reason": impostors.reason, **impostors.stats},
             "seconds": clock.seconds,
             "center": list(viewpoint.eye),
             "user": list(stand.user),
@@ -106,7 +172,7 @@ def reduce(
             "samples": picture.samples,
             "size": list(picture.pixels),
             "load_curve": curve_points(curve),
-            "findings": findings.of_reduction(reduced.stats, r2)
+            "findings": (findings.of_reduction(reduced.stats, r2) if impostors is None else _notes(impostors))
             + findings.of_view(crosses=stand.shows_boundary, fold_margin=margin, r2=r2),
             "files": sorted([*(path.name for path in folder.iterdir()), "report.json", "report.md"]),
         }
@@ -119,6 +185,24 @@ def reduce(
 
 DEMO = {"scene": "city", "output": Path("demo")}
 """Defaults of `nearfar demo`, whose other options are those of `nearfar reduce`."""
+
+
+def _notes(impostors: nf.Impostors) -> list[str]:
+    """Return sentences about a scene that stays as it is, and about quads that were dropped for a budget."""
+    notes = [impostors.reason] if impostors.far is None else []
+    if count_dropped := impostors.stats["dropped_quads"]:
+        notes.append(f"{count_dropped:,} quads were dropped for the budget, which leaves holes")
+    return notes
+
+
+def _sizes(folder: Path, reduced: nf.ReducedScene, impostors: nf.Impostors | None) -> dict[str, dict[str, int]]:
+    """Return triangles and bytes of files of each method."""
+    size = {path.name: path.stat().st_size for path in folder.iterdir()}
+    both = {"triangles": int(reduced.stats["drawn"]), "bytes": size["near.glb"] + size.get("far.exr", 0)}
+    sizes = {"conventional": both, "continuous": both}
+    if impostors is not None:
+        sizes["impostors"] = {"triangles": impostors.triangle_count, "bytes": size["light.glb"]}
+    return sizes
 
 
 def _difference(reference: NDArray[np.uint8], test: NDArray[np.uint8]) -> dict[str, float | int]:
@@ -146,8 +230,21 @@ def _markdown(document: dict[str, Any]) -> str:
         times=_page.table(*_page.time_rows(document)),
         notes=f"\nNot drawn as in the file:\n\n{notes}" if notes else "",
         generator=document["generator"],
-        **reduction_texts(document),
+        **reduction_texts(document) | {"far": _far_text(document)},
+        users=_page.table(*rows) + "\n\n" if (rows := _users.rows(document)) else "",
+        users_plot="![PSNR against the user's distance](users.png)\n\n" if "users.png" in document["files"] else "",
     )
+
+
+def _far_text(document: dict[str, Any]) -> str:
+    """Describe the far part of a reduction."""
+    impostors = document["impostors"]
+    if impostors is None:
+        return f"a cube map of 6 × {document['face_size']}² texels ({map_text(document)})"
+    if not impostors["quads"]:
+        return "no quads"
+    size = bytes_text(document["sizes"]["impostors"]["bytes"])
+    return f"{impostors['triangles']:,} of them in {impostors['quads']:,} textured quads (light.glb: {size})"
 
 
 def _published_text(document: dict[str, Any]) -> str:
@@ -163,8 +260,8 @@ def _rows(document: dict[str, Any], output: Path) -> list[tuple[str, str]]:
         ("triangles", triangles_text(document)),
         ("centre", metres(document["center"])),
         *radii_rows(document),
-        ("map", map_text(document)),
-        *((f"{name} differs in", f"{100 * p['share']:.2f} % of pixels") for name, p in document["pictures"].items()),
+        ("far part", _far_text(document)),
+        *((line[0], f"{line[1]} dB, worst {line[2]}; SSIM {line[3]}") for line in _users.rows(document)[1:]),
         ("took", f"{sum(document['seconds'].values()):.1f} s"),
         *note_rows(document),
         ("written to", str(output)),

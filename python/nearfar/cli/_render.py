@@ -14,7 +14,7 @@ from nearfar.cli import _options as options, _viewpoint
 from nearfar.cli._groups import Options, choice, option
 from nearfar.cli._methods import METHODS, morph_of
 from nearfar.cli._output import Clock, bytes_text, check_target, metres, note_rows, show
-from nearfar.cli._scenes import SceneOptions, is_reduced, open_scene
+from nearfar.cli._scenes import SceneOptions, is_reduced, open_reduced, open_scene
 
 VERSION = 1
 
@@ -62,8 +62,8 @@ def render(
     scene: options.SceneOrFolder,
     output: Path = option(..., "FILE", "Picture to write, .png or .exr.", "-o --output"),
     view: ViewOptions,
-    method: Literal["truth", "continuous", "conventional"] | None = choice(
-        None, "Full scene, or a method of near-far reduction. By default truth, for a folder continuous."
+    method: Literal["truth", "impostors", "continuous", "conventional"] | None = choice(
+        None, "Full scene, or a near-far reduction. By default truth; for a folder impostors, if it has them."
     ),
     headset: HeadsetOptions,
     zones: options.MapOptions,
@@ -81,13 +81,20 @@ def render(
     targets = {"side_by_side": output} if device is None else _targets_of(output, device)
     for path in targets.values():
         check_target(path, ".png", *((".exr",) if device is None else ()))
-    saved = None
+    saved: nf.ReducedScene | nf.Impostors | None = None
     if is_reduced(scene):
         if method == "truth":
-            raise ValueError("method: expected continuous or conventional with a folder, which has no far geometry")
+            raise ValueError("method: expected impostors, continuous or conventional with a folder, got truth")
         zones.refuse("with a folder as -i, which has its own")
-        saved = nf.ReducedScene.load(scene)
-        method = method or ("conventional" if saved.morph == "none" else "continuous")
+        saved = open_reduced(scene)
+        if isinstance(saved, nf.Impostors) and method in ("continuous", "conventional"):
+            saved = saved.published
+        if isinstance(saved, nf.ReducedScene) and method == "impostors":
+            raise ValueError(f"method: expected a folder with impostors, got {check.shortened(scene)} with a map alone")
+        is_torn = isinstance(saved, nf.ReducedScene) and saved.morph == "none"
+        method = (
+            "impostors" if isinstance(saved, nf.Impostors) else method or ("conventional" if is_torn else "continuous")
+        )
         loaded, center = saved.scene, saved.center
     else:
         method = method or "truth"
@@ -96,7 +103,7 @@ def render(
         loaded = open_scene(scene, file.loading)
     notes = [] if device is None else _stretching(pixels, device)
     is_exr = output.suffix.lower() == ".exr"
-    source: nf.Scene | nf.ReducedScene = loaded
+    source: nf.Renderable = loaded
     channels: tuple[str, ...] = ("color",)
     clock = Clock()
     viewpoint = _viewpoint.choose(loaded, scene, user if method == "truth" else center)
@@ -104,32 +111,37 @@ def render(
         shot = camera(viewpoint.eye, aim or viewpoint.target, view.degrees, pixels)
         channels = ("color", "range", "object_id") if is_exr else channels
     else:
-        radii = saved or zones.choose_radii(loaded, viewpoint)
-        r1, r2 = radii.r1, radii.r2
+        radii = saved if isinstance(saved, nf.ReducedScene) else zones.choose_radii(loaded, viewpoint)
+        r1, r2 = radii.r1, radii.r2 if saved is None else saved.r2
         stand = _viewpoint.view_of(scene) if saved is not None and user is None and aim is None else None
         angles: dict[str, Any] = {"fov": view.degrees, "user": user, "target": aim}
         stand = stand or _viewpoint.stands(loaded, viewpoint, r1, r2, **angles)[0]
         shot = camera(stand.user, stand.target, view.degrees, pixels)
         with clock.step("reduce"):
-            if saved is None:
+            if isinstance(saved, nf.Impostors):
+                source = saved
+            elif method == "impostors":
+                settings = nf.ImpostorSettings(face_size=max(zones.face_size, 64))
+                source = nf.reduce(loaded, center=viewpoint.eye, r2=r2, far="impostors", settings=settings)
+            elif saved is None:
                 radii_and_map: dict[str, Any] = {"r1": r1, "r2": r2, "face_size": zones.face_size, "backend": backend}
-                reduced = nf.reduce(loaded, center=viewpoint.eye, morph=METHODS[method], **radii_and_map)
+                source = nf.reduce(loaded, center=viewpoint.eye, morph=METHODS[method], **radii_and_map)
             else:
-                reduced = saved.with_morph(morph_of(method, saved))
-        source = reduced
+                source = saved.with_morph(morph_of(method, saved))
         margin = (
             nf.fold_margin(shot.position, center=viewpoint.eye, r1=r1, r2=r2) if method == "continuous" else math.inf
         )
-        notes += findings.of_reduction(reduced.stats, r2)
+        if isinstance(source, nf.ReducedScene):
+            notes += findings.of_reduction(source.stats, r2)
         notes += findings.of_view(crosses=stand.shows_boundary or saved is not None, fold_margin=margin, r2=r2)
-    settings = nf.RenderSettings(samples=view.samples, channels=channels, backend=backend)
+    drawing = nf.RenderSettings(samples=view.samples, channels=channels, backend=backend)
     result: nf.Frame | nf.StereoFrame
     with clock.step("render"):
         if device is None:
-            result = nf.render(source, shot, settings=settings)
+            result = nf.render(source, shot, settings=drawing)
         else:
             result = nf.render_eyes(
-                source, device, shot.position, orientation=shot.orientation, size=pixels, settings=settings
+                source, device, shot.position, orientation=shot.orientation, size=pixels, settings=drawing
             )
     _save(result, targets)
     document = formats.header("render", VERSION, color_space="sRGB" if output.suffix == ".png" else "linear") | {

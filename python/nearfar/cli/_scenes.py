@@ -90,6 +90,11 @@ def is_reduced(text: str) -> bool:
     return (Path(text) / folder.DOCUMENT).is_file()
 
 
+def open_reduced(text: str) -> nf.ReducedScene | nf.Impostors:
+    """Load the folder given by `-i`: impostors if it has them, else the reduced scene."""
+    return nf.Impostors.load(text) if folder.has_impostors(text) else nf.ReducedScene.load(text)
+
+
 def is_procedural(text: str) -> bool:
     """Return whether `-i` names a procedural scene."""
     return text.partition(":")[0] in PROCEDURAL

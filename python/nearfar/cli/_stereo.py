@@ -14,7 +14,7 @@ from nearfar._base import check, files, formats
 from nearfar.cli import _options as options, _page, _viewpoint
 from nearfar.cli._groups import Options, choice, option
 from nearfar.cli._output import Clock, count, metres, note_rows, rounded, show
-from nearfar.cli._scenes import SceneOptions, is_reduced, open_scene
+from nearfar.cli._scenes import SceneOptions, is_reduced, open_reduced, open_scene
 from nearfar.stereo._differences import compare_eye
 from nearfar.stereo._settings import Assembly, Cull
 
@@ -112,9 +112,9 @@ def stereo(
     hybrid_rig = rig.make(device, pixels)
     with files.atomic_folder(output, marker="stereo.json") as folder:
         with clock.step("scene"):
-            saved = nf.ReducedScene.load(scene) if is_reduced(scene) else None
+            saved = open_reduced(scene) if is_reduced(scene) else None
             loaded = open_scene(scene, file.loading) if saved is None else saved.scene
-            source: nf.Scene | nf.ReducedScene = saved or loaded
+            source: nf.Renderable = saved or loaded
             head = view.user if saved is None else view.user or saved.center
             viewpoint = _viewpoint.choose(loaded, scene, head)
             has_view = saved is not None and view.user is None and view.aim is None
@@ -170,7 +170,7 @@ def stereo(
 
 
 def _findings(
-    source: nf.Scene | nf.ReducedScene,
+    source: nf.Renderable,
     rig: nf.stereo.HybridRig,
     frame: nf.StereoFrame,
     triangles: dict[str, int] | None,

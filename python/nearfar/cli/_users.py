@@ -1,0 +1,110 @@
+"""Users around a centre, and how far the pictures of several methods are from the truth for them."""
+
+from __future__ import annotations
+
+import importlib.util
+import math
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import nearfar as nf
+from nearfar.cli._options import Point
+from nearfar.cli._output import rounded
+
+COUNT = 10
+"""Number of users."""
+WIDTH = 480
+"""Width in pixels of the pictures that are measured."""
+
+_TRIES = 60
+_GOLDEN = math.pi * (3.0 - math.sqrt(5.0))
+"""Golden angle: its multiples are spread evenly in all directions."""
+_CLEARANCE = 0.5
+"""Least distance of a user from a surface that the centre sees behind the user, metres."""
+
+
+def choose_users(scene: nf.Scene, center: Point, reach: float, aspect: float) -> list[tuple[float, nf.Camera]]:
+    """Choose users all around a centre at equal steps of distance up to `reach`, each with the distance.
+
+    They look at right angles to the line from the centre. Directions in which a surface is in the way are skipped, so
+    there may be fewer than `COUNT`.
+    """
+    turns = _GOLDEN * np.arange(_TRIES)
+    outwards = np.column_stack([np.cos(turns), np.zeros(_TRIES), np.sin(turns)])
+    free = nf.cast_rays(scene, np.tile(center, (_TRIES, 1)), outwards).t_hit
+    users: list[tuple[float, nf.Camera]] = []
+    size, fov = (WIDTH, max(round(WIDTH / aspect), 1)), nf.Fov.symmetric(90, aspect)
+    for turn, outward, distance_free in zip(turns, outwards, free, strict=True):
+        distance = reach * (len(users) + 1) / COUNT
+        if len(users) < COUNT and distance_free > distance + min(_CLEARANCE, distance):
+            eye = np.add(center, distance * outward)
+            side = -1.0 if len(users) % 2 else 1.0
+            sideways = np.array([-math.sin(turn) * side, -0.02, math.cos(turn) * side])
+            users.append((distance, nf.Camera.look_at(eye, eye + sideways, fov=fov, size=size)))
+    return users
+
+
+def measure(
+    scene: nf.Scene, methods: Mapping[str, nf.Renderable], users: list[tuple[float, nf.Camera]], samples: int
+) -> dict[str, Any]:
+    """Return distances of users, and PSNR, SSIM and share of missing pixels of each method for them.
+
+    A pixel is missing if it shows nothing where the truth shows a surface; methods with a map miss none.
+    """
+    measures: dict[str, Any] = {name: {"psnr": [], "ssim": [], "missing": []} for name in methods}
+    for _, camera in users:
+        truth = nf.render(scene, camera, samples=samples, channels=("color", "range"))
+        for name, source in methods.items():
+            has_range = isinstance(source, nf.Impostors)
+            frame = nf.render(source, camera, samples=samples, channels=("color", "range")[: 1 + has_range])
+            missing = np.isfinite(truth.require("range")) & ~np.isfinite(frame.require("range")) if has_range else 0.0
+            measures[name]["psnr"].append(rounded(nf.psnr(truth, frame), 4))
+            measures[name]["ssim"].append(rounded(float(nf.ssim(truth, frame))))
+            measures[name]["missing"].append(rounded(float(np.mean(missing)), 8))
+    return {"distances": [round(distance, 4) for distance, _ in users], "methods": measures}
+
+
+def rows(document: dict[str, Any]) -> list[list[str]]:
+    """Return a table of the means and worst values of all users, header first."""
+    users = document["users"]
+    if not users["distances"]:
+        return []
+    header = ["method", "PSNR, dB", "worst", "SSIM", "worst", "missing pixels", "triangles", "bytes"]
+    lines = [header]
+    for name, values in users["methods"].items():
+        psnr = [math.inf if value is None else value for value in values["psnr"]]
+        size = document["sizes"][name]
+        lines.append(
+            [
+                name,
+                f"{np.mean(psnr):.1f}",
+                f"{min(psnr):.1f}",
+                f"{np.mean(values['ssim']):.3f}",
+                f"{min(values['ssim']):.3f}",
+                f"{100.0 * np.mean(values['missing']):.3f} %" if name == "impostors" else "0 %",
+                f"{size['triangles']:,}",
+                f"{size['bytes']:,}",
+            ]
+        )
+    return lines
+
+
+def plot(path: Path, users: dict[str, Any]) -> bool:
+    """Plot PSNR of each method against the user's distance from O; return False without users or matplotlib."""
+    if not users["distances"] or not importlib.util.find_spec("matplotlib"):
+        return False
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(7.0, 4.5), layout="constrained")
+    axes = figure.subplots()
+    for name, values in users["methods"].items():
+        psnr = [math.nan if value is None else value for value in values["psnr"]]
+        axes.plot(users["distances"], psnr, marker="o", label=name)
+    axes.set(xlabel="distance of the user from O in metres", ylabel="PSNR against the truth, dB", xlim=(0.0, None))
+    axes.grid(alpha=0.3)
+    axes.legend()
+    figure.savefig(path, dpi=130)
+    return True
