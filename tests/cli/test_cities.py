@@ -28,7 +28,7 @@ def test_info_takes_a_level(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
 def test_compare_uses_the_heights_of_reduce(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     rows = (feature([square(10.0 * n, 0.0, 8.0)], roof=5.0 + n, height=1.0) for n in range(4))
     path, folder = str(write_json(tmp_path / "town.geojson", collection(*rows))), str(tmp_path / "reduced")
-    assert run(["reduce", "-i", path, "-o", folder, *PLACE, "--height", "roof"]) == 0
+    assert run(["reduce", "--far", "map", "-i", path, "-o", folder, *PLACE, "--height", "roof"]) == 0
     report = json.loads((tmp_path / "reduced" / "report.json").read_text(encoding="utf-8"))
     assert report["parts"] == {"height": "roof"}
     capsys.readouterr()

@@ -99,11 +99,13 @@ def test_demo_does_the_whole_job(city: Path, tmp_path: Path, capsys: pytest.Capt
     report = document(out, "report")
     assert report == json.loads((folder / "report.json").read_text(encoding="utf-8"))
     assert sorted(path.name for path in folder.iterdir()) == sorted(report["files"])
-    names = {"truth", "conventional", "continuous", "published"}
+    names = {"truth", "conventional", "continuous", "impostors", "published"}
     assert {"side_by_side.png", "report.md", *(f"{name}.png" for name in names)} <= set(report["files"])
     assert set(report["pictures"]) == names - {"truth"}
     assert report["triangles_left"] < report["triangles"]
-    assert pixels(folder / "side_by_side.png").shape[1] == 4 * 96 + 3 * 6
+    assert pixels(folder / "side_by_side.png").shape[1] == 3 * 96 + 2 * 6
+    assert {"light.glb", "near.glb", "far.exr", "reduced.json", "users.png"} <= set(report["files"])
+    assert set(report["users"]["methods"]) == {"conventional", "continuous", "impostors"}
     text = (folder / "report.md").read_text(encoding="utf-8")
     assert f"{report['triangles']:,} triangles become {report['triangles_left']:,}" in text
     need("matplotlib")
@@ -184,7 +186,7 @@ def test_commands_read_files_of_other_units(tmp_path: Path, capsys: pytest.Captu
     assert "higher than buildings" in document(out, "info")["report"]["unit_note"]
     assert re.fullmatch(r"nearfar: \S+room.stl: the scene has 4,000 × 2,500 × 5,000 m, .* by scale .*\n", err)
     at = ("--center", "0,1.7,0", "--r1", "30", "--r2", "50")
-    for arguments in (("partition", *at), ("reduce", *at, "-o", tmp_path / "light", "--size", "32x20")):
+    for arguments in (("partition", *at), ("reduce", "--far", "map", *at, "-o", tmp_path / "light", "--size", "32x20")):
         status, out, err = command(capsys, *arguments, "-i", path, "--scale", "0.001", "--json")
         assert (status, err) == (0, "")
     assert document(out, "report")["triangles_left"] == 12

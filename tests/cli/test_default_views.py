@@ -38,9 +38,9 @@ def test_an_object_of_any_size_is_visible(size: float, tmp_path: Path, capsys: p
 
 def test_a_folder_is_shown_from_the_view_of_its_report(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     light = tmp_path / "light"
-    assert command(capsys, "reduce", "-i", "room:detail=0", "-o", light, *SMALL, "--face-size", "32")[0] == 0
+    assert command(capsys, "reduce", "-i", "room:detail=0", "-o", light, *SMALL, "--face-size", "64")[0] == 0
     assert command(capsys, "render", "-i", light, "-o", tmp_path / "seen.png", *SMALL)[0] == 0
-    with Image.open(light / "continuous.png") as one, Image.open(tmp_path / "seen.png") as other:
+    with Image.open(light / "impostors.png") as one, Image.open(tmp_path / "seen.png") as other:
         difference = np.abs(np.asarray(one.convert("RGB")).astype(int) - np.asarray(other.convert("RGB")))
     assert difference.mean() < 2.0
     # A view also exists without its report, or with a damaged one.
@@ -55,7 +55,7 @@ def test_a_folder_is_shown_from_the_view_of_its_report(tmp_path: Path, capsys: p
 
 def test_a_folder_without_near_geometry_is_described(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     light = tmp_path / "light"
-    far = ("--center", "0,100,0", "--r1", "1", "--r2", "2")
+    far = ("--center", "0,100,0", "--r1", "1", "--r2", "2", "--far", "map")
     path = tmp_path / "walls.stl"
     trimesh.util.concatenate([trimesh.creation.box((2, 20, 2)).apply_translation((x, 0, 9)) for x in (-50, 50)]).export(
         path

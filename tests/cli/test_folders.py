@@ -30,11 +30,17 @@ def test_info_describes_a_folder(reduced_folder: Path, tmp_path: Path, capsys: p
     status, out, err = command(capsys, "info", "-i", reduced_folder, "--json", "--preview", picture)
     assert (status, err) == (0, "")
     report = document(out, "info")
-    reduced = nf.ReducedScene.load(reduced_folder)
-    assert report["reduced"]["triangles"] == reduced.stats["triangles"] == 1212
+    reduced = nf.Impostors.load(reduced_folder)
+    assert report["reduced"]["triangles"] == reduced.stats["scene_triangles"] == 1212
     assert report["reduced"]["triangles_left"] == report["triangles"] == reduced.triangle_count
     assert report["reduced"]["map"]["channels"] == ["color"]
-    sizes = {name: (reduced_folder / name).stat().st_size for name in ("near.glb", "far.exr", "reduced.json")}
+    names = [
+        name
+        for name in ("light.glb", "near.glb", "far.glb", "far.exr", "reduced.json")
+        if (reduced_folder / name).exists()
+    ]
+    sizes = {name: (reduced_folder / name).stat().st_size for name in names}
+    assert "light.glb" in names
     assert (report["kind"], report["reduced"]["files"]) == ("reduced", sizes)
     assert report["preview"]["seconds"] >= 0
     with Image.open(picture) as image:
@@ -51,10 +57,11 @@ def test_render_shows_a_folder(
     view = ("--eye", "0,1.7,4", "--target", "90,1,0", "--size", "96x60", "--samples", "1")
     status, out, err = command(capsys, "render", "-i", reduced_folder, "-o", path, *view, *chosen, "--json")
     assert status == 0, err
-    assert document(out, "render")["method"] == (method or "continuous")
-    reduced = nf.ReducedScene.load(reduced_folder).with_morph("none" if method == "conventional" else "blend")
+    assert document(out, "render")["method"] == (method or "impostors")
+    impostors = nf.Impostors.load(reduced_folder)
+    published = impostors.published.with_morph("none" if method == "conventional" else "blend")
     camera = nf.Camera.look_at((0, 1.7, 4), (90, 1, 0), fov=nf.Fov.symmetric(90, 1.6), size=(96, 60))
-    expected = reduced.render(camera, channels=("color",)).to_image()
+    expected = nf.render(published if method else impostors, camera, channels=("color",)).to_image()
     with Image.open(path) as image:
         np.testing.assert_array_equal(np.asarray(image), expected)
 
@@ -83,7 +90,10 @@ def test_compare_measures_a_folder_against_its_source_scene(
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (("render", "-o", "a.png", "--method", "truth"), "--method: expected continuous or conventional with a folder"),
+        (
+            ("render", "-o", "a.png", "--method", "truth"),
+            "--method: expected impostors, continuous or conventional with a folder",
+        ),
         (("render", "-o", "a.png", "--r1", "3"), "--r1: expected none with a folder as -i, which has its own"),
         (("compare", "-o", "out", "--exact"), "--exact: expected none with a folder"),
         (("partition",), "expected a scene file, got a folder with a reduced scene"),
@@ -137,7 +147,19 @@ def test_small_scenes_are_reduced_by_their_own_size(tmp_path: Path, capsys: pyte
     assert np.linalg.norm(report["center"]) > 0.4
     assert 0 < report["triangles_left"] < report["triangles"]
     status, out, err = command(
-        capsys, "reduce", "-i", tmp_path / "ball.glb", "-o", tmp_path / "out", *FAST, "--r1", "30", "--r2", "50"
+        capsys,
+        "reduce",
+        "-i",
+        tmp_path / "ball.glb",
+        "-o",
+        tmp_path / "out",
+        *FAST,
+        "--far",
+        "map",
+        "--r1",
+        "30",
+        "--r2",
+        "50",
     )
     assert status == 0, err
     text = " ".join(out.split())

@@ -17,7 +17,7 @@ COMMANDS: dict[str, tuple[str, ...]] = {
     "partition": ("--center", "3,0.5,3"),
     "render": ("-o", "OUT/a.png", "--eye", "3,0.5,3", "--target", "3,0.5,0", *SMALL[:4], *SMALL[8:]),
     "bake": ("-o", "OUT/a.exr", "--r1", "1", "--r2", "2", *SMALL[2:]),
-    "reduce": ("-o", "OUT/reduced", "--r1", "1", "--r2", "2", *SMALL),
+    "reduce": ("-o", "OUT/reduced", "--r2", "2", *SMALL),
     "compare": ("-o", "OUT/compared", "--r1", "1", "--r2", "2", "--user", "3.1,0.5,3", "--fov", "10", *SMALL),
     "stereo": ("-o", "OUT/stereo", "--eye", "3,0.5,3", "--target", "3,0.5,0", *SMALL[:4], *SMALL[8:]),
     "export": ("-o", "OUT/bundle", "--radii", "1,2", "--samples", "1", "--face-size", "64", "--center", "3,0.5,3"),

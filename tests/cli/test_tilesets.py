@@ -47,7 +47,9 @@ def test_info_takes_detail_and_place(path: Path, capsys: pytest.CaptureFixture[s
 
 def test_compare_uses_the_tiles_of_reduce(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     folder, compared = str(path.parent / "reduced"), str(path.parent / "compared")
-    assert run(["reduce", "-i", str(path), "-o", folder, *PLACE, "--error", "9", "--origin", "0,0,0"]) == 0
+    assert (
+        run(["reduce", "--far", "map", "-i", str(path), "-o", folder, *PLACE, "--error", "9", "--origin", "0,0,0"]) == 0
+    )
     report = json.loads((Path(folder) / "report.json").read_text(encoding="utf-8"))
     assert (report["triangles"], report["parts"]) == (12, {"error": 9.0, "origin": [0.0, 0.0, 0.0]})
     capsys.readouterr()

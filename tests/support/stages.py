@@ -105,6 +105,7 @@ PACKAGE: dict[str, set[str]] = {
         "_base",
         "_bend",
         "_camera",
+        "_impostor",
         "metrics",
         "_partition",
         "_reduce",
