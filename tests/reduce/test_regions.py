@@ -191,6 +191,7 @@ def test_far_points_jump_as_predicted(scene: nf.Scene, turn: float) -> None:
 def test_regions_are_computed_on_request_and_the_last_are_kept(scene: nf.Scene, regions: nf.Regions) -> None:
     assert (regions.memory, regions.bytes.sum(), regions.ready(0)) == (0, 0, False)
     first = regions.reduced(0)
+    assert isinstance(first, nf.ReducedScene)
     assert first is regions.reduced(0)
     assert first.scene is scene
     radii = regions.radii
@@ -214,7 +215,7 @@ def test_the_region_ahead_is_computed_in_the_background(monkeypatch: pytest.Monk
     threads: dict[int, int] = {}
     original = nf.Regions._make
 
-    def noted(self: nf.Regions, number: int) -> nf.ReducedScene:
+    def noted(self: nf.Regions, number: int) -> Any:
         threads[number] = threading.get_ident()
         return original(self, number)
 
@@ -247,7 +248,7 @@ def test_background_failures_are_raised_on_request(monkeypatch: pytest.MonkeyPat
         assert regions.prefetch(regions.centers[0], (1.0, 0.0, 0.0), 0) == 1
         with pytest.raises(MemoryError, match="no room"):
             regions.reduced(1)
-    assert regions.reduced(1).env is not None
+    assert regions.reduced(1).nbytes > 0
 
 
 def test_a_failed_region_is_tried_once_and_does_not_block_others(

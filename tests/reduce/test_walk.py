@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import nearfar as nf
+from tests.support.impostor_cases import CENTER, misplaced, view as impostor_view, yard
 from tests.support.reduce_cases import FOV, Array, place, street
 
 SMALL: dict[str, Any] = {"face_size": 32, "samples": 1, "backend": "cpu"}
@@ -201,3 +202,33 @@ def test_the_measured_jump_of_a_far_tower_equals_the_prediction(scene: nf.Scene)
 
 def test_a_walk_starts_without_a_region(regions: nf.Regions) -> None:
     assert "region None" in repr(regions.walk())
+
+
+def test_impostors_of_neighbouring_regions_show_the_same_picture_within_their_error() -> None:
+    scene = yard()
+    start, end = np.add(CENTER, (-2.5, 0.0, 0.0)), np.add(CENTER, (2.5, 0.6, 0.0))
+    baking = nf.ImpostorSettings(face_size=128, centers=7)
+    regions = nf.regions(scene, [start, end], far="impostors", reach=2.0, hysteresis=0.2, r2=12.0, settings=baking)
+    assert len(regions) >= 2
+    camera = impostor_view(0.5 * (regions.centers[0] + regions.centers[1]), 0.7)
+    pictures = [nf.render(regions.reduced(n), camera, samples=4, channels=("color",)) for n in (0, 1)]
+    truth = nf.render(scene, camera, samples=4, channels=("color",))
+    maps = nf.regions(scene, [start, end], reach=2.0, hysteresis=0.2, r2=12.0, morph="none", face_size=128)
+    mapped = [nf.render(maps.reduced(n), camera, samples=4, channels=("color",)) for n in (0, 1)]
+    assert nf.psnr(*pictures) > nf.psnr(*mapped) + 6.0
+    # Both regions are within two pixels of 1/20 degree of the truth.
+    assert isinstance(camera.fov, nf.Fov)
+    focal = camera.width / (camera.fov.right - camera.fov.left)
+    assert regions.jump(0, 1, camera) == pytest.approx(2 * 2 * focal * np.radians(1 / 20), rel=1e-4)
+    assert misplaced(truth, pictures[0], 2) + misplaced(truth, pictures[1], 2) < 0.01
+    walk = regions.walk(fade=1.0)
+    stats = [walk.render(impostor_view(start + share * (end - start)), 9.0 * share).stats for share in (0.0, 0.5, 1.0)]
+    assert all(entry["fold_margin"] == math.inf for entry in stats)
+    assert stats[-1]["region"] != stats[0]["region"]
+    assert (regions.bytes[[0, 1]] > 0).all()
+    # The path climbs, so that the sphere of the region is larger than its circle on the ground.
+    reduced: Any = regions.reduced(0)
+    assert 2.0 < reduced.reach < 2.2
+    for wrong in ({"morph": "none"}, {"samples": 4}):
+        with pytest.raises((ValueError, TypeError), match=next(iter(wrong))):
+            nf.regions(scene, [start, end], far="impostors", **wrong)

@@ -63,6 +63,11 @@ class Quads:
     def __len__(self) -> int:
         return len(self.masked)
 
+    @property
+    def nbytes(self) -> int:
+        """Bytes of geometry and texture in memory."""
+        return self.vertices.nbytes + self.uvs.nbytes + self.faces.nbytes + self.atlas.nbytes
+
     @cached_property
     def rectangles(self) -> NDArray[np.int64]:
         """Left, top, right and bottom edge (Q, 4) of each quad's texels in the atlas."""

@@ -140,6 +140,11 @@ class ReducedData:
         return self._counts["nsf" if self._boundary == "r2" else "nsf_at_r1"]
 
     @property
+    def nbytes(self) -> int:
+        """Bytes in memory of the map and of copies of near geometry."""
+        return int(self.stats["map_bytes"] + self.stats["near_bytes"])
+
+    @property
     def _boundary_radius(self) -> float:
         """Radius in metres at which the near part ends."""
         return self.r1 if self._boundary == "r1" else self.r2

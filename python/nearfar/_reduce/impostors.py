@@ -85,6 +85,11 @@ class Impostors(Renderable):
         """Number of triangles that a picture draws."""
         return self.near.triangle_count + (0 if self.far is None else self.far.triangle_count)
 
+    @property
+    def nbytes(self) -> int:
+        """Bytes in memory of the quads, with their texture, and of near geometry; 0 for quads that `load` read."""
+        return self.near._core.bytes() + (0 if self._quads is None else self._quads.nbytes)
+
     @cached_property
     def published(self) -> ReducedScene:
         """The published near-far reduction with the same centre and r2: near geometry, a map of the far part, a morph.
@@ -106,11 +111,12 @@ class Impostors(Renderable):
         camera: Camera,
         *,
         at: Mapping[str, ArrayLike] | None = None,
+        user: ArrayLike | None = None,
         settings: RenderSettings | None = None,
         **keywords: Unpack[RenderKeywords],
     ) -> Frame:
         """Render the picture that a thin client shows; parameters and errors as in `nearfar.render`."""
-        return render(self, camera, at=at, settings=gather(RenderSettings, settings, keywords))
+        return render(self, camera, at=at, user=user, settings=gather(RenderSettings, settings, keywords))
 
     def recentered(self, center: ArrayLike) -> Recentering[Impostors]:
         """Start baking the same scene about another centre, a world position (3,) in metres, in the background.

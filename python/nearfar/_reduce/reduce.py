@@ -23,6 +23,8 @@ from nearfar._scene.scene import Scene, core_of
 FarPart = Literal["map", "impostors"]
 """Kind of the far part: a map of the centre with a morph, or quads baked from several centres."""
 
+FAR_PARTS: tuple[FarPart, ...] = get_args(FarPart)
+
 _NEAR_SHARE = 0.75
 """Greatest share of a budget of triangles that the near part takes if r2 is chosen."""
 
@@ -111,16 +113,8 @@ def reduce(
         impostors `reach`, `error_px`, `face_size`, `centers`, `missing`, `triangles`, `bytes`, `visible`.
     """
     check.choice("unit", unit, UNITS)
-    if check.choice("far", far, get_args(FarPart)) == "impostors":
-        published = (
-            ("r1", r1, None),
-            ("morph", morph, "blend"),
-            ("boundary", boundary, "r2"),
-            ("unit", unit, "triangle"),
-        )
-        for name, stated, default in published:
-            if stated != default:
-                raise ValueError(f"{name}: expected none with far='impostors', got {stated}, which far='map' takes")
+    if check.choice("far", far, FAR_PARTS) == "impostors":
+        check_unmorphed(r1=(r1, None), morph=(morph, "blend"), boundary=(boundary, "r2"), unit=(unit, "triangle"))
         return _impostors(
             check.instance("scene", scene, Scene), center, r2, gather(ImpostorSettings, settings, keywords)
         )
@@ -142,6 +136,13 @@ def reduce(
     parts, is_whole = stages.parts(scene, unit=unit, **arguments), isinstance(scene, Scene)
     reduced = ReducedScene(**parts, morph=morph, boundary=boundary, baking=baking, is_whole=is_whole)
     return reduced._replace(_reasons=reasons)
+
+
+def check_unmorphed(**arguments: tuple[object, object]) -> None:
+    """Raise ValueError unless each argument, a value and its default by name, has its default."""
+    for name, (value, default) in arguments.items():
+        if value != default:
+            raise ValueError(f"{name}: expected none with far='impostors', got {value}, which far='map' takes")
 
 
 def _impostors(scene: Scene, center: ArrayLike | None, r2: float | None, settings: ImpostorSettings) -> Impostors:

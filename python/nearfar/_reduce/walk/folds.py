@@ -12,6 +12,7 @@ from nearfar._base import progress
 from nearfar._bend import fold_margin
 from nearfar._camera.camera import Camera, CubeFace, Fov
 from nearfar._camera.rotation import rotation
+from nearfar._impostor.bake import PIXELS_PER_DEGREE
 
 Floats = NDArray[np.float64]
 
@@ -79,6 +80,11 @@ def _forward(camera: Camera) -> NDArray[np.float64]:
         axis, is_negative = divmod(camera.fov.face, 2)
         return np.asarray(np.eye(3)[axis] * (-1.0 if is_negative else 1.0))
     return -rotation(camera.orientation)[:, 2]
+
+
+def error_in_pixels(error_px: float, camera: Camera) -> float:
+    """Convert an error of impostors to pixels in the middle of a camera's picture."""
+    return _focal_length(camera) * math.tan(math.radians(error_px / PIXELS_PER_DEGREE))
 
 
 def predict_jump(step: ArrayLike, camera: Camera, distance: float) -> float:

@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 import math
-from typing import SupportsFloat, Unpack
+from dataclasses import replace
+from typing import SupportsFloat, Unpack, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check
 from nearfar._base.settings import gather, split
+from nearfar._impostor.settings import ImpostorSettings
 from nearfar._partition.load_curve import load_curve
 from nearfar._reduce.baking import MapKeywords, MapSettings
 from nearfar._reduce.choose_radii import Radii, RadiusKeywords, RadiusSettings, choose_radii, complete_settings
 from nearfar._reduce.drawing import MORPHS, MorphKind
+from nearfar._reduce.reduce import FAR_PARTS, FarPart, check_unmorphed
 from nearfar._reduce.walk.folds import height_differences, walkable_distance
 from nearfar._reduce.walk.grid import Grid, grids
 from nearfar._reduce.walk.regions import Regions, check_hysteresis, check_keep, spacing_for
@@ -35,6 +38,13 @@ _RINGS = ((6, 0.5), (12, 0.95))
 class RegionOptions(RadiusKeywords, MapKeywords, total=False):
     """Keywords of `regions`."""
 
+    error_px: float
+    centers: int
+    missing: float
+    triangles: int | None
+    bytes: int | None
+    visible: bool
+
 
 def regions(
     scene: Scene,
@@ -42,10 +52,11 @@ def regions(
     *,
     area: ArrayLike | None = None,
     hysteresis: SupportsFloat = 1.0,
+    far: FarPart = "map",
     morph: MorphKind = "blend",
     keep: int = 3,
     radii: RadiusSettings | None = None,
-    settings: MapSettings | None = None,
+    settings: MapSettings | ImpostorSettings | None = None,
     **keywords: Unpack[RegionOptions],
 ) -> Regions:
     """Divide a walk into regions, each with a centre from which it is reduced, so that no picture folds on the way.
@@ -70,8 +81,10 @@ def regions(
         rectangle. Vertical rays find the ground, so below a roof a path is needed instead.
     hysteresis
         Least distance b in metres that a user walks between two changes of region, 0 ≤ b < R.
+    far
+        As in `reduce`. With "impostors" no picture folds, at any height, and changes of regions are hardly seen.
     morph
-        As in `reduce`. "cylinder" suits users who stay at the height of the centre.
+        As in `reduce`, for maps. "cylinder" suits users who stay at the height of the centre.
     keep
         Number of reduced scenes to cache, at least 3: the present, the previous and the next one.
     radii
@@ -79,16 +92,24 @@ def regions(
         distance R of a user from the centre of their region, less than r2. A `budget` is met around every centre. With
         a path, which has the eye's heights, `eye_height` only affects the shear of the ground.
     settings
-        Size, samples, channels and backend of the maps, as `MapSettings`.
+        Size, samples, channels and backend of the maps, as `MapSettings`; or `ImpostorSettings`, whose `reach` is that
+        of the radii, or more where the path climbs.
     keywords
         Fields of `radii` and `settings`, which they replace: `r2`, `budget`, `reach`, `eye_height`, `shear`,
-        `face_size`, `samples`, `channels`, `range_dtype`, `backend`.
+        `face_size`, and `samples`, `channels`, `range_dtype`, `backend` of maps, or `error_px`, `centers`, `missing`,
+        `triangles`, `bytes`, `visible` of impostors.
     """
     core_of(scene)
     if (path is None) == (area is None):
         raise ValueError(f"path: expected either path or area, got {'neither' if path is None else 'both'}")
-    map_keywords, radius_keywords = split(RadiusSettings, keywords)
-    map_settings = gather(MapSettings, settings, map_keywords)
+    other_keywords, radius_keywords = split(RadiusSettings, keywords)
+    has_impostors = check.choice("far", far, FAR_PARTS) == "impostors"
+    baking: MapSettings | ImpostorSettings
+    if has_impostors:
+        check_unmorphed(morph=(morph, "blend"))
+        baking = gather(ImpostorSettings, cast("ImpostorSettings | None", settings), other_keywords)
+    else:
+        baking = gather(MapSettings, cast("MapSettings | None", settings), other_keywords)
     radius_settings = complete_settings(gather(RadiusSettings, radii, radius_keywords, argument="radii"))
     reach = _check_length("reach", radius_settings.reach)
     eye_height = _check_length("eye_height", radius_settings.eye_height)
@@ -106,9 +127,14 @@ def regions(
     else:
         centers = _centers_on_ground(scene, _check_corners(scene, area), spacing, eye_height)
     common_radii = _common_radii(scene, centers, radius_settings)
+    heights = np.zeros(len(centers))
     if path is not None and np.ptp(eyes[:, 1]) > 0.0:
-        _check_heights(centers, height_differences(eyes, centers, reach), common_radii, morph)
-    return Regions(scene, centers, radii=common_radii, hysteresis=min_walk, morph=morph, baking=map_settings, keep=keep)
+        heights = height_differences(eyes, centers, reach)
+    if isinstance(baking, ImpostorSettings):
+        baking = replace(baking, reach=math.hypot(reach, float(heights.max())))
+    elif heights.any():
+        _check_heights(centers, heights, common_radii, morph)
+    return Regions(scene, centers, radii=common_radii, hysteresis=min_walk, morph=morph, baking=baking, keep=keep)
 
 
 def _check_length(name: str, length: float) -> float:

@@ -12,15 +12,20 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar._base import check
 from nearfar._base.recent import Recent
 from nearfar._camera.camera import Camera
+from nearfar._impostor.settings import ImpostorSettings
 from nearfar._reduce.baking import MapSettings
 from nearfar._reduce.choose_radii import Radii
 from nearfar._reduce.drawing import MORPHS, MorphKind
+from nearfar._reduce.impostors import Impostors
 from nearfar._reduce.reduce import reduce
 from nearfar._reduce.reduced_scene import ReducedScene
-from nearfar._reduce.walk.folds import predict_jump
+from nearfar._reduce.walk.folds import error_in_pixels, predict_jump
 from nearfar._reduce.walk.recentering import Recentering
 from nearfar._reduce.walk.walker import Walk
 from nearfar._scene.scene import Scene, core_of
+
+Reduced = ReducedScene | Impostors
+"""What a region shows."""
 
 MAX_CACHED = 1 << 16
 """Maximum number of cached reduced scenes."""
@@ -41,7 +46,7 @@ class Regions:
         radii: Radii,
         hysteresis: SupportsFloat = 1.0,
         morph: MorphKind = "blend",
-        baking: MapSettings | None = None,
+        baking: MapSettings | ImpostorSettings | None = None,
         keep: int = 3,
     ) -> None:
         core_of(scene)
@@ -53,10 +58,12 @@ class Regions:
         self._scene, self._centers, self._radii = scene, positions, check.instance("radii", radii, Radii)
         self._hysteresis = check_hysteresis(hysteresis, radii.reach)
         self._morph = check.choice("morph", morph, MORPHS)
-        self._baking = MapSettings() if baking is None else check.instance("baking", baking, MapSettings)
+        self._baking = MapSettings() if baking is None else baking
+        if not isinstance(self._baking, MapSettings | ImpostorSettings):
+            raise TypeError(f"baking: expected MapSettings or ImpostorSettings, got {check.type_and_value(baking)}")
         self._keep = check_keep(keep)
-        self._cache: Recent[int, ReducedScene] = Recent()
-        self._prefetched: tuple[int, Recentering[ReducedScene]] | None = None
+        self._cache: Recent[int, Reduced] = Recent()
+        self._prefetched: tuple[int, Recentering[Reduced]] | None = None
         self._bytes = np.zeros(len(positions), np.int64)
 
     @property
@@ -86,7 +93,7 @@ class Regions:
 
     @property
     def bytes(self) -> NDArray[np.int64]:
-        """(K,) bytes of each region's map and copies of near geometry; 0 for regions not made yet."""
+        """(K,) bytes in memory of each region's map or quads, and of near geometry; 0 for regions not made yet."""
         return self._bytes.copy()
 
     @property
@@ -114,8 +121,8 @@ class Regions:
         number, prefetched = self._check_number("i", i), self._prefetched
         return number in self._cache or (prefetched is not None and prefetched[0] == number and prefetched[1].ready)
 
-    def reduced(self, i: int) -> ReducedScene:
-        """Return the reduced scene of region i, 0 to K − 1.
+    def reduced(self, i: int) -> Reduced:
+        """Return the reduced scene or impostors of region i, 0 to K − 1.
 
         If it is not cached, it is made now; if it is being made, this waits. ValueError and TypeError for invalid
         region numbers; DeviceError and MemoryError as in `reduce`.
@@ -155,7 +162,8 @@ class Regions:
         """Predict the picture's jump at a hard cut from region i to region j.
 
         Returns f·|ΔO⊥|/ρ in pixels: f the focal length in pixels, ΔO⊥ the component of the step between the centres
-        perpendicular to the line of sight. With R = 8 m, b = 0 and f = 480 px at most 133 px at 50 m.
+        perpendicular to the line of sight. With R = 8 m, b = 0 and f = 480 px at most 133 px at 50 m. For impostors
+        returns twice their greatest error, because both regions are within it of the truth.
 
         Parameters
         ----------
@@ -169,6 +177,8 @@ class Regions:
         """
         start, end = (self._centers[self._check_number(name, value)] for name, value in (("i", i), ("j", j)))
         check.instance("camera", camera, Camera)
+        if isinstance(self._baking, ImpostorSettings):
+            return error_in_pixels(2.0 * self._baking.error_px, camera)
         range_m = self._radii.r2 if distance is None else check.positive("distance", distance)
         return predict_jump(end - start, camera, range_m)
 
@@ -210,8 +220,10 @@ class Regions:
         next_region = int(np.argmin(self._distances((eye[0] + distance * dx, eye[1], eye[2] + distance * dz))))
         return None if next_region == region else next_region
 
-    def _make(self, number: int) -> ReducedScene:
+    def _make(self, number: int) -> Reduced:
         center, r1, r2 = self._centers[number], self._radii.r1, self._radii.r2
+        if isinstance(self._baking, ImpostorSettings):
+            return reduce(self._scene, center=center, r2=r2, far="impostors", settings=self._baking)
         return reduce(self._scene, center=center, r1=r1, r2=r2, morph=self._morph, settings=self._baking)
 
     def _collect(self, next_region: int | None) -> None:
@@ -229,9 +241,8 @@ class Regions:
                     return
             self._prefetched = None
 
-    def _store(self, number: int, reduced: ReducedScene) -> None:
-        stats = reduced.stats
-        self._bytes[number] = stats["map_bytes"] + stats["near_bytes"]
+    def _store(self, number: int, reduced: Reduced) -> None:
+        self._bytes[number] = reduced.nbytes
         self._cache.put(number, reduced)
         self._cache.trim((), self._keep)
 

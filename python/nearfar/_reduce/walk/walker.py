@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 
 from nearfar._base import check
 from nearfar._camera.camera import Camera
+from nearfar._reduce.impostors import Impostors
 from nearfar._reduce.reduced_scene import ReducedScene
 from nearfar._reduce.walk.folds import walkable_distance
 from nearfar._render.frame import Frame, blend
@@ -28,10 +29,12 @@ Point = tuple[float, float, float]
 @dataclass(frozen=True)
 class _ShownRegion:
     number: int
-    reduced: ReducedScene
+    reduced: ReducedScene | Impostors
 
     def margin(self, user: Point) -> float:
-        """Metres that the user can still walk before its picture folds."""
+        """Metres that the user can still walk before its picture folds; infinite for impostors."""
+        if isinstance(self.reduced, Impostors):
+            return math.inf
         reduced, (x, y, z) = self.reduced, np.subtract(user, self.reduced.center)
         return walkable_distance(reduced.morph, reduced.r1, reduced.r2, abs(y)) - math.hypot(x, z)
 
