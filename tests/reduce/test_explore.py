@@ -15,6 +15,7 @@ from nearfar._reduce.drawing import Boundary, MorphKind
 from nearfar._reduce.explore import Explorer
 from tests.support import need
 from tests.support.card_cases import Card, decoded
+from tests.support.impostor_cases import SETTINGS, yard
 from tests.support.reduce_cases import CENTER, R1, R2, street
 
 SIZE = (64, 40)
@@ -183,6 +184,22 @@ def test_moving_objects_keep_their_poses() -> None:
     explorer.r2.value = 60.0
     red = decoded(explorer.picture.value).astype(int)
     assert ((red[..., 0] > 120) & (red[..., 1] < 90)).any()
+
+
+def test_impostors_are_explored_within_their_reach(tmp_path: Path) -> None:
+    need("ipywidgets")
+    impostors = nf.reduce(yard(), far="impostors", **{**SETTINGS, "face_size": 64, "centers": 2})
+    explorer = impostors.explore(size=SIZE)
+    explorer.x.value, explorer.z.value, explorer.heading.value = 1.9, 1.9, 60.0
+    assert math.hypot(explorer.x.value, explorer.z.value) <= impostors.reach
+    truth = nf.render(yard(), explorer.camera, channels=("color",), backend="cpu")
+    picture = impostors.render(explorer.camera, channels=("color",), backend="cpu")
+    for widget, frame in ((explorer.truth, truth), (explorer.picture, picture)):
+        assert widget.value == card.png(frame.to_image())
+    assert float(Card(explorer.figures.value).facts()["SSIM"]) == pytest.approx(nf.ssim(truth, picture), abs=1e-4)
+    impostors.save(tmp_path / "light")
+    facts = Card(nf.Impostors.load(tmp_path / "light").explore(size=SIZE).figures.value).facts()
+    assert "not saved" in facts["far geometry"]
 
 
 def test_a_notebook_gets_the_widget_and_a_text(explorer: Explorer) -> None:

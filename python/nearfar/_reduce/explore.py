@@ -2,148 +2,63 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterator
-from contextlib import contextmanager
 from typing import Any
 
 import numpy as np
 
 from nearfar._base import card, check
-from nearfar._base.errors import Error
-from nearfar._camera.camera import Camera, Fov
+from nearfar._camera.camera import Camera
 from nearfar._partition.load_curve import load_curve
 from nearfar._reduce.baking import MapSettings
 from nearfar._reduce.data import ReducedData
 from nearfar._reduce.drawing import MORPHS
-from nearfar._render.frame import Frame
+from nearfar._reduce.user_explorer import UserExplorer, step_of
 from nearfar._render.showing import View, show as make_view
-from nearfar._render.truth import render
 from nearfar.metrics._comparison import compare
 from nearfar.metrics._discontinuity import discontinuity
 
 MAX_TRIANGLES = 300_000
 """Maximum number of near triangles within the range of the r2 slider, so that a frame does not take seconds."""
 
-FOV_DEG = 90.0
-"""Horizontal field of view of the pictures, degrees."""
-
 MAX_R1_SHARE = 0.95
 """Greatest r1, as a share of r2."""
 
 
-class Explorer:
-    """Picture and truth of a reduced scene with sliders; created by `ReducedScene.explore`.
+class Explorer(UserExplorer):
+    """Picture and truth of a reduced scene with sliders for the user and the radii; made by `ReducedScene.explore`.
 
-    The attributes are ipywidgets, so that code can set them, too: `x`, `z` and `height` are the user's position in
-    metres relative to the centre, `heading` degrees to the right of −z, `r1`, `r2` and `morph`. `picture` and `truth`
-    hold PNG files, `figures` HTML, and `widget` contains all of them.
+    Besides the attributes of its base, `r1`, `r2` and `morph` are ipywidgets.
     """
 
     def __init__(self, reduced: ReducedData, *, size: tuple[int, int], face_size: int) -> None:
-        self._size = check.size("size", size)
-        self._baking = MapSettings(face_size=face_size, samples=1, channels=("color", "range"), backend="cpu")
-        try:
-            import ipywidgets as widgets
-        except ImportError:
-            raise ImportError("explore needs ipywidgets: pip install ipywidgets") from None
-        self._is_suspended = False
-        self._last_truth: tuple[Camera, Frame] | None = None
         can_bake = reduced._is_whole
+        super().__init__(
+            reduced.center, reduced.r1, size=check.size("size", size), truth=reduced.scene if can_bake else None
+        )
+        self._baking = MapSettings(face_size=face_size, samples=1, channels=("color", "range"), backend="cpu")
         has_range = reduced.env is None or reduced.env.range is not None
         self.reduced: Any = reduced if has_range or not can_bake else reduced._reduce_again(self._baking)
         """The `ReducedScene` with the present radii and morph."""
         r1, r2 = reduced.r1, reduced.r2
         reach = max(r2, _reach(reduced)) if can_bake else r2
-        step = _step(reach)
-
-        layout = widgets.Layout(width="98%", max_width="28em")
-
-        def slider(name: str, value: float, low: float, high: float, step: float, **more: Any) -> Any:
-            more = {"continuous_update": True, "readout_format": ".4g", **more}
-            return widgets.FloatSlider(
-                value=value, min=low, max=high, step=step, description=name, layout=layout, **more
-            )
-
-        metre = max(r1, 1e-6)
-        self.x = slider("x, m", 0.0, -r1, r1, _step(metre), disabled=r1 == 0.0)
-        self.z = slider("z, m", 0.0, -r1, r1, _step(metre), disabled=r1 == 0.0)
-        self.height = slider("height, m", 0.0, -min(1.5, metre / 2.0), min(3.0, metre), min(0.05, metre / 100.0))
-        self.heading = slider("heading, °", 0.0, -180.0, 180.0, 1.0)
         released: dict[str, Any] = {"continuous_update": False, "disabled": not can_bake}
-        self.r1 = slider("r₁, m", r1, 0.0, reach, step, **released)
-        self.r2 = slider("r₂, m", r2, 0.0, reach, step, **released)
+        self.r1 = self._slider("r₁, m", r1, 0.0, reach, step_of(reach), **released)
+        self.r2 = self._slider("r₂, m", r2, 0.0, reach, step_of(reach), **released)
         kinds = MORPHS if reduced._boundary == "r2" else ("none",)
-        self.morph = widgets.Dropdown(options=kinds, value=reduced.morph, description="morph", layout=layout)
-        self.truth, self.picture = (widgets.Image(format="png", layout={"max_width": "100%"}) for _ in range(2))
-        self.figures = widgets.HTML()
-        wrap = widgets.Layout(flex_flow="row wrap", width="100%")
-        column = widgets.Layout(flex="1 1 20em", max_width="30em", min_width="0")
-        titled = [
-            widgets.VBox([widgets.HTML(f"<b>{title}</b>"), image], layout=widgets.Layout(max_width="100%"))
-            for title, image in (("truth", self.truth), ("reduced", self.picture))
-        ]
-        self.widget: Any = widgets.VBox(
-            [
-                widgets.HBox(titled if can_bake else titled[1:], layout=wrap),
-                self.figures,
-                widgets.HBox(
-                    [
-                        widgets.VBox([self.x, self.z, self.height, self.heading], layout=column),
-                        widgets.VBox([self.r1, self.r2, self.morph], layout=column),
-                    ],
-                    layout=wrap,
-                ),
-            ]
+        self.morph = self._widgets.Dropdown(
+            options=kinds, value=reduced.morph, description="morph", layout=self.r1.layout
         )
-        """Widget that contains the pictures, figures and sliders."""
-        for control in (self.x, self.z, self.height, self.heading):
-            control.observe(self._on_slider_change, "value")
         for control in (self.r1, self.r2):
             control.observe(self._on_radius_change, "value")
         self.morph.observe(self._on_morph_change, "value")
-        self._draw()
+        self._show(self.r1, self.r2, self.morph)
 
     @property
-    def camera(self) -> Camera:
-        """The camera at the user's place, which looks along `heading`."""
-        turn = math.radians(self.heading.value)
-        eye = np.add(self.reduced.center, (self.x.value, self.height.value, self.z.value))
-        forward = (math.sin(turn), 0.0, -math.cos(turn))
-        fov = Fov.symmetric(FOV_DEG, self._size[0] / self._size[1])
-        return Camera.look_at(eye, eye + forward, fov=fov, size=self._size)
-
-    def _repr_mimebundle_(self, **settings: Any) -> Any:
-        # Pages without widgets show the text instead.
-        return {**self.widget._repr_mimebundle_(**settings), "text/plain": repr(self)}
+    def _limit(self) -> float:
+        return float(self.reduced.r1)
 
     def __repr__(self) -> str:
         return f"Explorer of {self.reduced!r}"
-
-    @contextmanager
-    def _suspend_drawing(self) -> Iterator[None]:
-        """Prevent drawing while code sets several sliders."""
-        self._is_suspended = True
-        try:
-            yield
-        finally:
-            self._is_suspended = False
-
-    def _keep_inside(self) -> None:
-        """Move the user into the near zone."""
-        distance, limit = math.hypot(self.x.value, self.z.value), self.reduced.r1
-        with self._suspend_drawing():
-            if distance > limit:
-                # The factor keeps the user inside despite rounding.
-                factor = limit / distance * (1.0 - 1e-12)
-                self.x.value, self.z.value = self.x.value * factor, self.z.value * factor
-            for control in (self.x, self.z):
-                control.min, control.max, control.disabled = -limit, limit, limit == 0.0
-
-    def _on_slider_change(self, change: Any) -> None:
-        if not self._is_suspended:
-            self._keep_inside()
-            self._draw()
 
     def _on_radius_change(self, change: Any) -> None:
         if self._is_suspended:
@@ -161,14 +76,6 @@ class Explorer:
         self.reduced = self.reduced.with_morph(self.morph.value)
         self._draw()
 
-    def _draw(self) -> None:
-        """Render both pictures. Errors appear below them, because notebooks hide errors of callbacks."""
-        try:
-            rows = self._render_pictures(self.camera)
-        except (Error, ValueError, RuntimeError, MemoryError) as error:
-            rows = [("not drawn", f"{type(error).__name__}: {error}")]
-        self.figures.value = card.table(rows)
-
     def _render_pictures(self, camera: Camera) -> list[tuple[str, str]]:
         reduced = self.reduced
         env = reduced.env
@@ -182,7 +89,7 @@ class Explorer:
             reason = "not saved: the truth and other radii need the original scene"
             torn = discontinuity(frame) if "position" in channels else np.empty(0)
             return [*rows, *_discontinuity_rows(torn), ("far geometry", reason)]
-        comparison = compare(self._truth(camera), frame, center=reduced.center, radius=reduced._boundary_radius)
+        comparison = compare(self._render_truth(camera), frame, center=reduced.center, radius=reduced._boundary_radius)
         edge = comparison.boundary_discontinuity
         return [
             ("SSIM", f"{comparison.ssim:.4f}"),
@@ -191,18 +98,6 @@ class Explorer:
             ("discontinuity along the boundary", "–" if edge is None else f"{edge:.3f}"),
             *rows,
         ]
-
-    def _truth(self, camera: Camera) -> Frame:
-        """Ground truth, which depends on the camera only."""
-        if self._last_truth is None or self._last_truth[0] != camera:
-            self._last_truth = camera, render(self.reduced.scene, camera, channels=("color",), backend="cpu")
-            self.truth.value = card.png(self._last_truth[1].to_image())
-        return self._last_truth[1]
-
-
-def _step(length: float) -> float:
-    """Step of a slider with a range of `length`: a power of ten, at most a hundredth of it."""
-    return float(10.0 ** (math.floor(math.log10(length)) - 2))
 
 
 def _reach(reduced: ReducedData) -> float:

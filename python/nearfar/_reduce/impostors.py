@@ -25,6 +25,7 @@ from nearfar._impostor.quads import Point, Quads
 from nearfar._impostor.settings import ImpostorSettings
 from nearfar._reduce import default_radii, folder, stages
 from nearfar._reduce.baking import MapSettings
+from nearfar._reduce.impostor_explorer import ImpostorExplorer
 from nearfar._reduce.reduced_scene import ReducedScene
 from nearfar._reduce.walk.recentering import Recentering
 from nearfar._render.frame import Frame
@@ -117,6 +118,22 @@ class Impostors(Renderable):
     ) -> Frame:
         """Render the picture that a thin client shows; parameters and errors as in `nearfar.render`."""
         return render(self, camera, at=at, user=user, settings=gather(RenderSettings, settings, keywords))
+
+    def explore(self, *, size: tuple[int, int] = (400, 250)) -> ImpostorExplorer:
+        """Show the picture beside the truth in a notebook, with sliders for the user, who stays within `reach`.
+
+        The explorer's sliders are attributes. A notebook shows the explorer if it is the last value of a cell.
+        ImportError if ipywidgets is not installed; ValueError and TypeError for arguments out of range.
+
+        Parameters
+        ----------
+        size
+            Width and height of both pictures in pixels, 16 to 2048.
+        """
+        for name, value in zip(("size[0]", "size[1]"), check.size("size", size), strict=True):
+            check.integer(name, value, 16, 2048)
+        truth = self._source if isinstance(self._source, Scene) else None
+        return ImpostorExplorer(self, center=self.center, reach=self.reach, truth=truth, size=size)
 
     def recentered(self, center: ArrayLike) -> Recentering[Impostors]:
         """Start baking the same scene about another centre, a world position (3,) in metres, in the background.
