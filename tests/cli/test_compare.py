@@ -30,7 +30,7 @@ WIDE = FAST[:-2]
 def compared(city: Path, tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, dict[str, Any]]:
     need("matplotlib")
     folder = tmp_path_factory.mktemp("compare") / "out"
-    assert run(["compare", "-i", str(city), "-o", str(folder), *PLACE, *FAST]) == 0
+    assert run(["compare", "-i", str(city), "-o", str(folder), *PLACE, *FAST, "--impostors"]) == 0
     return folder, json.loads((folder / "compare.json").read_text(encoding="utf-8"))
 
 
@@ -57,6 +57,11 @@ def test_measures_equal_the_library_functions(city: Path, compared: tuple[Path, 
     radii = {key: document[key] for key in ("r1", "r2")}
     assert radii == {"r1": 8.76, "r2": 50.0}
     reduced = nf.reduce(scene, center=(0, 1.7, 0), **radii, face_size=64, channels=("color", "range"))
+    impostors = nf.reduce(scene, center=(0, 1.7, 0), r2=50.0, far="impostors", face_size=64)
+    values = document["pictures"]["impostors"]
+    assert values["psnr"] == pytest.approx(nf.psnr(truth, impostors.render(view, channels=("color",))), abs=1e-4)
+    assert (values["tear"], values["discontinuity"], values["boundary"]) == (None, None, None)
+    assert document["triangles_of_impostors"] == impostors.triangle_count
     for name, light in (("conventional", reduced.with_morph("none")), ("continuous", reduced)):
         frame = light.render(view, channels=("color", "position"))
         values = document["pictures"][name]

@@ -1,4 +1,4 @@
-"""`nearfar compare`: compares the conventional and the continuous method with the truth; checks thresholds."""
+"""`nearfar compare`: compares the conventional and the continuous method, and impostors, with the truth."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ from nearfar.cli._output import (
 )
 from nearfar.cli._partition import curve_points
 from nearfar.cli._render import camera
-from nearfar.cli._scenes import SceneOptions, is_reduced, open_scene
+from nearfar.cli._scenes import SceneOptions, is_reduced, open_reduced, open_scene
 
 VERSION = 1
 
@@ -47,8 +47,8 @@ MEASURES = {
 """Labels of the measures."""
 
 CAPTIONS = {
-    "side_by_side.png": "Truth, conventional and continuous",
-    "discontinuity.png": "Discontinuity of both methods, on one scale",
+    "side_by_side.png": "Truth and methods",
+    "discontinuity.png": "Discontinuity of both methods with a map, on one scale",
     "load_curve.png": "Triangles left as geometry",
 }
 
@@ -85,17 +85,18 @@ def compare(
     ),
     zones: options.MapOptions,
     view: ViewOptions,
+    impostors: bool = flag("--impostors", "Compare impostors, too; for a folder that has them, they always are."),
     exact: bool = flag("--exact", "Bend a ray for every pixel; trace the far part instead of using the map."),
     limits: _thresholds.LimitOptions,
     backend: options.Backend = None,
     file: SceneOptions,
     as_json: options.Json = False,
 ) -> None:
-    """Compare the conventional and the continuous method with the truth, seen from one eye.
+    """Compare the conventional and the continuous method, and impostors, with the truth, seen from one eye.
 
     Thresholds apply to the continuous method; the exit status is 3 if one is not met or could not be measured.
     """
-    clock, saved_reduction, truth_source = Clock(), None, scene
+    clock, saved_reduction, quads, truth_source = Clock(), None, None, scene
     if is_reduced(scene):
         zones.refuse("with a folder as -i, which has its own")
         if exact:
@@ -105,7 +106,9 @@ def compare(
     with files.atomic_folder(output, marker="compare.json") as folder:
         with clock.step("scene"):
             if is_reduced(scene):
-                saved_reduction = nf.ReducedScene.load(scene)
+                saved = open_reduced(scene)
+                quads = saved if isinstance(saved, nf.Impostors) else None
+                saved_reduction = saved.published if isinstance(saved, nf.Impostors) else saved
                 truth_source, full_scene = _viewpoint.open_truth(scene, truth, file.loading)
             else:
                 full_scene = open_scene(scene, file.loading)
@@ -126,24 +129,32 @@ def compare(
         reduction = place_and_map | {"face_size": texels, "backend": backend}
         with clock.step("reduce"):
             methods = Methods.prepare(full_scene, reduction, saved=saved_reduction, positions=True, exact=exact)
+        if impostors and quads is None:
+            with clock.step("impostors"):
+                baking = nf.ImpostorSettings(face_size=max(texels, 64))
+                quads = nf.reduce(full_scene, center=viewpoint.eye, r2=r2, far="impostors", settings=baking)
         with clock.step("view"):
             chosen = choose_view(methods, cameras)
             user_view, user_camera = stands[chosen.number], cameras[chosen.number]
         pictures: dict[str, Any] = {"samples": view.samples, "channels": ("color", "position")}
         frames = render_all(full_scene, methods, user_camera, clock, pictures, backend)
+        if quads is not None:
+            with clock.step("picture of impostors"):
+                frames["impostors"] = nf.render(quads, user_camera, backend=backend, **pictures)
         with clock.step("dense pictures"):
             dense_camera = with_density(user_camera, DENSITY)
             dense = {name: methods.positions(name, dense_camera) for name in METHODS}
         with clock.step("measures"):
             boundary: dict[str, Any] = {"center": viewpoint.eye, "radius": r2}
-            comparisons = {name: nf.compare(frames["truth"], frames[name], **boundary) for name in METHODS}
-            tears = {name: nf.metrics.boundary_tear(dense[name], **boundary) for name in METHODS}
-            measures = {name: _measures_document(comparisons[name], tears[name]) for name in METHODS}
+            shown = {name: frame for name, frame in frames.items() if name != "truth"}
+            comparisons = {name: nf.compare(frames["truth"], frame, **boundary) for name, frame in shown.items()}
+            tears = {name: nf.metrics.boundary_tear(frame, **boundary) for name, frame in dense.items()}
+            measures = {name: _measures_document(comparisons[name], tears.get(name)) for name in shown}
         with clock.step("pictures"):
             _page.save_pictures(folder, {name: frame.to_image() for name, frame in frames.items()})
             has_plots = _page.save_curve(folder, curve, r2)
             if has_plots:
-                _page.save_heat_maps(folder, {name: comparison.torn for name, comparison in comparisons.items()})
+                _page.save_heat_maps(folder, {name: comparisons[name].torn for name in METHODS})
         margin = nf.fold_margin(user_view.user, center=viewpoint.eye, r1=r1, r2=r2)
         is_shown = _shows_boundary(measures)
         crosses = any(comparison.boundary_pixels for comparison in comparisons.values())
@@ -156,6 +167,7 @@ def compare(
             "triangles": int(full_scene.triangle_count),
             "triangles_left": int(methods.reduced.stats["drawn"]),
             "map_bytes": int(methods.reduced.stats["map_bytes"]),
+            "triangles_of_impostors": None if quads is None else quads.triangle_count,
             "center": list(viewpoint.eye),
             "user": list(user_view.user),
             "views": {"considered": len(stands), "measurable": chosen.others + is_shown},
@@ -186,41 +198,43 @@ def compare(
         raise typer.Exit(_thresholds.BROKEN)
 
 
-def _measures_document(comparison: nf.Comparison, tear: nf.metrics.BoundaryTear) -> dict[str, Any]:
+def _measures_document(comparison: nf.Comparison, tear: nf.metrics.BoundaryTear | None) -> dict[str, Any]:
     """Return rounded measures for the report, without the map of discontinuity.
 
-    Measures along the boundary are None if no pixel there sees both sides, because one side occludes the other.
+    Measures along the boundary are None if no pixel there sees both sides, because one side occludes the other, and
+    for impostors, whose pixels know the place of the quad but not that of the surface that it shows.
     """
     return {
-        "tear": rounded(tear.tear),
-        "tear_kink": rounded(tear.kink),
-        "tear_shared": rounded(tear.shared),
-        "tear_density": rounded(tear.pixels_per_degree),
+        "tear": None if tear is None else rounded(tear.tear),
+        "tear_kink": None if tear is None else rounded(tear.kink),
+        "tear_shared": None if tear is None else rounded(tear.shared),
+        "tear_density": None if tear is None else rounded(tear.pixels_per_degree),
         "psnr": rounded(comparison.psnr, 4),
         "ssim": rounded(comparison.ssim),
         "rmse": rounded(comparison.rmse),
         "flip": rounded(comparison.flip),
-        "discontinuity": rounded(comparison.discontinuity),
-        "discontinuity_p99": rounded(comparison.discontinuity_p99),
-        "boundary": rounded(comparison.boundary_discontinuity) if tear.shared else None,
+        "discontinuity": None if tear is None else rounded(comparison.discontinuity),
+        "discontinuity_p99": None if tear is None else rounded(comparison.discontinuity_p99),
+        "boundary": rounded(comparison.boundary_discontinuity) if tear is not None and tear.shared else None,
         "boundary_pixels": comparison.boundary_pixels,
     }
 
 
 def _shows_boundary(pictures: dict[str, dict[str, Any]]) -> bool:
     """Return whether the boundary can be measured in the pictures of both methods, from their measures."""
-    return is_measurable(values["tear_shared"] for values in pictures.values())
+    return is_measurable(pictures[name]["tear_shared"] for name in METHODS)
 
 
 def _rows(document: dict[str, Any], output: Path) -> list[tuple[str, str]]:
     pictures = document["pictures"]
-    rows = [(label, " → ".join(_text(key, pictures[name]) for name in METHODS)) for key, label in MEASURES.items()]
+    rows = [(label, " → ".join(_text(key, values) for values in pictures.values())) for key, label in MEASURES.items()]
     return [
         ("triangles", triangles_text(document)),
+        *([("with impostors", count(with_quads))] if (with_quads := document["triangles_of_impostors"]) else []),
         ("centre, user", f"{metres(document['center'])}; {metres(document['user'])}"),
         ("views", _views_text(document)),
         *radii_rows(document),
-        ("", "conventional → continuous"),
+        ("", " → ".join(pictures)),
         *rows,
         *((check["option"], _thresholds.result(check)) for check in document["thresholds"]),
         *note_rows(document),
