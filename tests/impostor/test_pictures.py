@@ -7,11 +7,14 @@ import pytest
 
 import nearfar as nf
 from benchmarks.harness.views import views
+from nearfar._render.backend import Backend
+from tests.support import need
 from tests.support.impostor_cases import CENTER, SETTINGS, misplaced, view, yard
 
 REACH, R2 = SETTINGS["reach"], SETTINGS["r2"]
 TURNS = (0.0, 1.6, 3.1, 4.7)
 USERS = [(REACH, 0.0, 0.0), (-1.2, 0.0, 1.6), (0.0, 0.5, -1.9), (0.3, -0.4, 1.2)]
+BACKENDS: tuple[Backend, ...] = ("cpu", "gpu")
 ERROR = 2
 """Pixels of these views: a texel, 0.75 in the middle of a face and at most twice that, and the error, 0.2."""
 
@@ -93,6 +96,21 @@ def test_a_scene_6000_km_from_the_origin_looks_the_same(impostors: nf.Impostors)
     distant = nf.render(far, view(user + center), samples=4, channels=("color",))
     assert nf.psnr(frame, distant) > 35
     np.testing.assert_allclose(far.layers[0][0], center, atol=1e-6)
+
+
+def test_graphics_adapters_and_both_eyes_show_the_same(impostors: nf.Impostors) -> None:
+    need("adapter")
+    camera = view(np.add(CENTER, USERS[1]), 0.8)
+    cpu, gpu = (impostors.render(camera, samples=4, channels=("color",), backend=backend) for backend in BACKENDS)
+    assert nf.psnr(cpu, gpu) > 40
+    hmd = nf.hmd.get("quest_2")
+    rig = nf.stereo.HybridRig.of(hmd, mono_plane=5.0, size=(96, 96))
+    hybrid, plain = (
+        rig.render(impostors, camera.position),
+        nf.render_eyes(impostors, hmd, camera.position, size=(96, 96)),
+    )
+    for one, other in ((hybrid.left, plain.left), (hybrid.right, plain.right)):
+        assert nf.psnr(one, other) > 25
 
 
 @pytest.mark.slow
