@@ -65,6 +65,20 @@ def test_wrong_arguments_are_named(error: type[Exception], words: str, call: Cal
         call()
 
 
+def test_copies_that_exceed_memory_are_refused_with_their_size(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A view that repeats its memory, and a conversion for which NumPy finds too little."""
+    endless = np.broadcast_to(np.float32(1), (1 << 45, 3))
+    with pytest.raises(MemoryError, match=f"points: a copy of float32 of shape .* needs {12 << 45} bytes"):
+        check.array("points", endless)
+
+    def require(*_: Any) -> None:
+        raise MemoryError
+
+    monkeypatch.setattr(np, "require", require)
+    with pytest.raises(MemoryError, match=r"points: a copy of float16 of shape \(4, 3\) as float64 needs 96 bytes"):
+        check.array("points", np.zeros((4, 3), np.float16))
+
+
 def test_right_arguments_pass() -> None:
     assert check.vector("center", np.array([1, 2, 3])) == (1.0, 2.0, 3.0)
     assert check.radii(0, np.float32(0.5)) == (0.0, 0.5)

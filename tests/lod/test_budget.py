@@ -156,11 +156,12 @@ def test_levels_at_a_price_lie_on_each_hull() -> None:
 
 
 def test_pixel_weights_favour_large_objects() -> None:
-    scene = crowd(3000, 1)
-    plain, pixels = (
-        nf.lod.select(*scene, camera=VIEW, budget=1_500_000, weight=weight, full=True)
-        for weight in ("object", "pixels")
-    )
+    """They are the default: what fills the picture gets most triangles."""
+    scene, budget = crowd(3000, 1), 1_500_000
+    plain = nf.lod.select(*scene, camera=VIEW, budget=budget, weight="object", full=True)
+    pixels = nf.lod.select(*scene, camera=VIEW, budget=budget, full=True)
+    explicit = nf.lod.select(*scene, camera=VIEW, budget=float(budget), weight="pixels")
+    np.testing.assert_array_equal(pixels.level, explicit.level)
     seen = plain.level >= 0
     by_size = [np.average(one.score[seen], weights=one.sigma_seen[seen]) for one in (plain, pixels)]
     assert by_size[1] > by_size[0] + 0.01

@@ -350,6 +350,19 @@ def test_trees_are_shared_by_threads_and_pickled_for_processes(layered: Tree) ->
     np.testing.assert_array_equal(again.render(cameras[0]).to_image(), right[0])
 
 
+def test_geometry_beyond_the_cache_is_dropped_with_the_picture_that_needed_it(layered: Tree) -> None:
+    small, large = nf.orthoview.open(layered.path, cache_bytes=1), nf.orthoview.open(layered.path)
+    drawn = set()
+    for distance in (25, 90):
+        frame = small.render(camera_at(layered, distance))
+        large.render(camera_at(layered, distance))
+        held = {place for place, scene in small._viewer.near.cache.values.items() if scene is not None}
+        assert len(held) >= frame.stats["leaves"] > 0
+        drawn |= held
+    assert len(held) < len(drawn)
+    assert drawn <= {*large._viewer.near.cache.values}
+
+
 def test_a_missing_geometry_file_is_named(layered: Tree, tmp_path: Path) -> None:
     store = Path(shutil.copytree(layered.path, tmp_path / "copy.zarr"))
     for file in (store / "geometry" / "content").rglob("*.glb"):

@@ -294,3 +294,25 @@ def test_a_fork_starts_its_own_decoder(tmp_path: Path) -> None:
     environment = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)}
     command = [sys.executable, "-W", "ignore", "-c", code, str(tmp_path / "a.glb")]
     subprocess.run(command, timeout=120, check=True, env=environment)
+
+
+def test_a_decoder_without_memory_is_no_fault_of_the_file(tmp_path: Path) -> None:
+    """The system's limit, below which the decoder cannot set its own; another decoder has memory again."""
+    resource = pytest.importorskip("resource")
+    need("linux")
+    side = 300
+    columns, rows = np.meshgrid(np.arange(side, dtype=np.float32), np.arange(side, dtype=np.float32))
+    positions = np.stack([columns.ravel(), rows.ravel(), DICE.normal(size=side * side).astype(np.float32)], axis=1)
+    corner = (np.arange(side - 1) + side * np.arange(side - 1)[:, None]).ravel()
+    faces = np.concatenate([corner[:, None] + [0, 1, side], corner[:, None] + [1, side + 1, side]]).astype(np.uint32)
+    stream, numbers = compress(positions, faces, {})
+    written, binary = document(stream, numbers, {"POSITION": positions}, faces)
+    content = encode(written, binary)
+    load(tmp_path, simple(*square()))
+    decoder = draco._running_process()._child.pid
+    pages = int(Path(f"/proc/{decoder}/statm").read_text(encoding="ascii").split()[0])
+    resource.prlimit(decoder, resource.RLIMIT_AS, (pages * resource.getpagesize(),) * 2)
+    size = len(stream) + faces.nbytes + positions.nbytes
+    with pytest.raises(MemoryError, match=rf"a\.glb: decoding a Draco stream of its meshes needs {size} bytes"):
+        load(tmp_path, content)
+    assert load(tmp_path, content).triangle_count == len(faces)

@@ -117,7 +117,7 @@ def test_degenerate_rings_are_triangulated() -> None:
 
 
 def test_polygons_whose_rings_cross_are_counted() -> None:
-    """At any place and size; holes that overlap, or lie outside, are not between the rings either."""
+    """At any place and size; holes that overlap, cross themselves or lie outside are not between the rings either."""
     bow = np.array([[0.0, 0], [4, 4], [4, 0], [0, 4]])
     hook = np.array([[0.0, 0], [4, 0], [4, 4], [1, 4], [1, -1], [0, -1]])
     square, hole = (np.array([[0.0, 0], [1, 0], [1, 1], [0, 1]]) * size for size in (9, 2))
@@ -128,6 +128,9 @@ def test_polygons_whose_rings_cross_are_counted() -> None:
         [square, hole + 8],
         [square, hole + 20],
         [square, bow * [1, 0.5] + 1, hook + 3],
+        [square, bow + 2],
+        [square, np.array([[3.0, 3], [8, 7], [8, 3], [3, 6]])],
+        [square, hole + 1, bow + 4],
     ]
     for scale, place in itertools.product((1e-3, 1.0, 1e3), ([0.0, 0.0], [85e3, 447e3])):
         made = [[ring * scale + place for ring in polygon] for polygon in [*wrong, [square, hole + 1, hole + 4]]]

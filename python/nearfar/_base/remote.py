@@ -64,9 +64,14 @@ def system(url: str) -> tuple[Any, str]:
 
 @contextmanager
 def as_os_errors(url: str, deed: str) -> Iterator[None]:
-    """Convert exceptions of file system libraries to OSError with the URL; a missing file raises FileNotFoundError."""
+    """Convert exceptions of file system libraries to OSError with the URL; a missing file raises FileNotFoundError.
+
+    MemoryError remains one.
+    """
     try:
         yield
+    except MemoryError:
+        raise
     except FileNotFoundError:
         raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), url) from None
     except Exception as error:

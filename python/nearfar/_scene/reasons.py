@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import gzip
 import re
 import zipfile
@@ -18,15 +19,17 @@ from nearfar._base.errors import SceneError, UnusableError
 def explained(label: str, *, passed: type[Exception] = SceneError) -> Iterator[None]:
     """Convert a reader's exception to a SceneError that names the file and gives the reason in one sentence.
 
-    MemoryError remains one, because it may be the fault of the system: `Budget` refuses files that claim too much.
+    Lack of memory remains a MemoryError, because it may be the fault of the system: `Budget` refuses files that claim
+    too much.
     """
     try:
         yield
     except (SceneError, passed):
         raise
-    except MemoryError as error:
-        raise MemoryError(f"{label}: {_first_line(error) or 'reading it needs more memory than there is'}") from error
     except Exception as error:
+        if isinstance(error, MemoryError) or (isinstance(error, OSError) and error.errno == errno.ENOMEM):
+            reason = _first_line(error) or "reading it needs more memory than there is"
+            raise MemoryError(f"{label}: {reason}") from error
         raise SceneError(f"{label}: {reason_of(error)}") from error
 
 

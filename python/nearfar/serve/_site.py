@@ -94,7 +94,7 @@ class LoadedScene:
         return cls(load, **{"title": file.name, "source": source, **settings})
 
     def wait(self) -> Scene:
-        """Wait for the scene and return it; ValueError with a message if it cannot be loaded."""
+        """Wait for the scene and return it; MemoryError or ValueError with a message if it cannot be loaded."""
         return self._result(self._regions).scene
 
     def cache_folder(self) -> Path | None:
@@ -124,7 +124,7 @@ class LoadedScene:
         """Return the scene document; if loading failed, it has the reason."""
         try:
             regions, start = self._result(self._regions), self._result(self._start)
-        except ValueError as error:
+        except (MemoryError, ValueError) as error:
             return formats.header(SCENE, VERSION, failed=str(error))
         scene, settings, (x, _, z) = regions.scene, regions.settings, start.forward
         return formats.header(
@@ -142,11 +142,12 @@ class LoadedScene:
         )
 
     def _result(self, work: background.Later[Result]) -> Result:
-        """Wait for the result of work on the scene; ValueError with a message if it failed."""
+        """Wait for the result of work on the scene; MemoryError or ValueError with a message if it failed."""
         try:
             return work.result()
         except Exception as error:
-            raise ValueError(f"{self.title}: the scene cannot be loaded: {error}") from None
+            kind = MemoryError if isinstance(error, MemoryError) else ValueError
+            raise kind(f"{self.title}: the scene cannot be loaded: {error}") from None
 
 
 def _triangle() -> Scene:

@@ -61,8 +61,8 @@ def counts(name: str, value: ArrayLike) -> NDArray[np.int64]:
 def plain(name: str, value: ArrayLike) -> NDArray[Any]:
     """Convert an argument to an array of any type.
 
-    TypeError for masked values, which would lose their mask. ValueError for rows of unequal length, and for views that
-    repeat their memory so often that a copy would exceed the machine's.
+    TypeError for masked values, which would lose their mask. ValueError for rows of unequal length. MemoryError for
+    views that repeat their memory so often that a copy would exceed the machine's.
     """
     if is_masked(value):
         raise TypeError(f"{name}: expected an array without masked values, got one with a mask")
@@ -72,7 +72,7 @@ def plain(name: str, value: ArrayLike) -> NDArray[Any]:
         raise ValueError(f"{name}: expected rows of equal length") from None
     # The memory of contiguous arrays exists: they own it, or map a file.
     if values.nbytes > _UNCHECKED_BYTES and not values.flags.forc and values.nbytes > memory.installed():
-        raise _too_large(name, values)
+        raise _too_large(name, values, values.dtype)
     return values
 
 
@@ -158,8 +158,9 @@ def _converted(name: str, values: NDArray[Any], target: np.dtype[Any]) -> NDArra
         with np.errstate(over="ignore", invalid="ignore"):
             return np.require(values, target, ["C_CONTIGUOUS", "ALIGNED"])
     except MemoryError:
-        raise _too_large(name, values) from None
+        raise _too_large(name, values, target) from None
 
 
-def _too_large(name: str, values: NDArray[Any]) -> ValueError:
-    return ValueError(f"{name}: expected an array that fits into memory, got {values.dtype} of shape {values.shape}")
+def _too_large(name: str, values: NDArray[Any], target: np.dtype[Any]) -> MemoryError:
+    size = values.size * target.itemsize
+    return MemoryError(f"{name}: a copy of {values.dtype} of shape {values.shape} as {target} needs {size} bytes")

@@ -29,6 +29,7 @@ from nearfar._base.glb import entry
 from nearfar._scene.budget import Budget
 from nearfar._scene.gltf.buffers import WIDTHS, component
 from nearfar._scene.gltf.corners import TRIANGLES, mode
+from nearfar._scene.gltf.draco_process import SHORT_OF_MEMORY
 
 DRACO = "KHR_draco_mesh_compression"
 
@@ -182,7 +183,7 @@ def _convert(name: str, rows: NDArray[Any], accessor: dict[str, Any]) -> NDArray
 
 
 def _decode_stream(data: bytes, size: int, face_count: int) -> DracoMesh:
-    """Decode a stream; UnusableError if it is damaged or exceeds a limit.
+    """Decode a stream; UnusableError if it is damaged or exceeds a limit, MemoryError if the system has too little.
 
     The expected bytes (`size`) and triangles (`face_count`) set the limits of memory and time.
     """
@@ -190,7 +191,10 @@ def _decode_stream(data: bytes, size: int, face_count: int) -> DracoMesh:
     request = {"bytes": len(data), "seconds": seconds, "memory": _MEMORY + _MEMORY_PER_BYTE * size}
     with _lock:
         # The process may just have ended after its idle timeout; the second request starts another.
-        answer = _running_process().ask(request, data) or _running_process().ask(request, data)
+        try:
+            answer = _running_process().ask(request, data) or _running_process().ask(request, data)
+        except MemoryError:
+            raise MemoryError(f"decoding a Draco stream of its meshes needs {len(data) + size} bytes") from None
     if answer is None:
         raise UnusableError("a process that decodes its Draco streams cannot be started")
     return answer
@@ -226,8 +230,14 @@ class _Process:
             code = self._child.wait()
             if code in (0, 1):
                 return None
+            if code == SHORT_OF_MEMORY:
+                raise MemoryError from None
             failure = "takes too long" if -code in _TIMEOUT_SIGNALS else f"ends its decoder (code {code})"
             raise UnusableError(f"a Draco stream of its meshes is damaged: it {failure}") from None
+        except (MemoryError, KeyboardInterrupt):
+            # The rest of the answer would be read as the next one.
+            self.end()
+            raise
         finally:
             timer.cancel()
 
@@ -240,6 +250,8 @@ class _Process:
         if not (line := answers.readline()):
             raise EOFError
         answer = json.loads(line)
+        if answer.get("short"):
+            raise MemoryError
         if "error" in answer:
             raise UnusableError(f"a Draco stream of its meshes is damaged: {answer['error']}")
         arrays = {number: (np.dtype(kind), tuple(shape)) for number, kind, shape in answer["attributes"]}

@@ -16,6 +16,9 @@ from typing import Any, BinaryIO
 IDLE = 30.0
 """Idle timeout after which the process ends, seconds."""
 
+SHORT_OF_MEMORY = 3
+"""Exit code of a process that has too little memory for a request or its answer."""
+
 
 def main() -> None:
     """Answer requests until the input ends or the idle timeout has passed."""
@@ -29,11 +32,13 @@ def main() -> None:
             return
         request = json.loads(line)
         data = requests.read(request["bytes"])
+        limits = _Limits(request["seconds"], request["memory"])
         try:
-            with _Limits(request["seconds"], request["memory"]):
+            with limits:
                 header, arrays = _header_and_arrays(DracoPy.decode(data))
         except MemoryError:
-            header, arrays = {"error": "it takes too much memory"}, []
+            # Without its own limit, the process has run out of what the system allows, which is no fault of the file.
+            header, arrays = {"error": "it takes too much memory", "short": not limits.limits_memory}, []
         except Exception as error:  # DracoPy raises errors of several types
             header, arrays = {"error": str(error)}, []
         answers.write(json.dumps(header).encode() + b"\n")
@@ -59,12 +64,13 @@ class _Limits:
 
     def __init__(self, seconds: float, memory: int) -> None:
         self._seconds, self._memory, self._begin = seconds, memory, 0.0
+        self.limits_memory = False
 
     def __enter__(self) -> None:
         if hasattr(signal, "setitimer"):
             signal.signal(signal.SIGPROF, signal.SIG_DFL)
             signal.setitimer(signal.ITIMER_PROF, self._seconds)
-        self._limit(self._memory)
+        self.limits_memory = self._limit(self._memory)
         self._begin = time.process_time()
 
     def __exit__(self, error: object, *_: object) -> None:
@@ -75,7 +81,8 @@ class _Limits:
             raise TimeoutError("it takes too long")
 
     @staticmethod
-    def _limit(memory: int | None) -> None:
+    def _limit(memory: int | None) -> bool:
+        """Limit memory, or remove the limit; returns whether the system allows this limit."""
         try:
             import resource
 
@@ -84,7 +91,8 @@ class _Limits:
             max_bytes = resource.getrlimit(resource.RLIMIT_AS)[1]
             resource.setrlimit(resource.RLIMIT_AS, (max_bytes if memory is None else used + memory, max_bytes))
         except (ImportError, OSError, ValueError):
-            return  # not Linux, or the system's own limit is lower
+            return False  # not Linux, or the system's own limit is lower
+        return True
 
 
 def _header_and_arrays(mesh: Any) -> tuple[dict[str, Any], list[Any]]:
@@ -97,4 +105,7 @@ def _header_and_arrays(mesh: Any) -> tuple[dict[str, Any], list[Any]]:
 
 
 if __name__ == "__main__":
-    main()
+    try:
+        main()
+    except MemoryError:
+        sys.exit(SHORT_OF_MEMORY)

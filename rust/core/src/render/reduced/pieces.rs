@@ -17,8 +17,9 @@ use crate::tessellate::{self, Precision, Rule, Settings};
 
 /// Maximum number of pieces that a split may add, about a gigabyte.
 const MAX_PIECES: u64 = 1 << 22;
-/// Bytes per triangle while triangles are cut into at least one piece each.
-const PIECE_BYTES: u64 = 256;
+/// Maximum number of bytes per triangle that stays whole, while triangles are cut: a block with the piece and the
+/// allocator's part, and three references to blocks, because lists of tasks double when they grow and are then joined.
+const PIECE_BYTES: u64 = (size_of::<Placed>() + 16 + 3 * size_of::<Box<[Placed]>>()) as u64;
 /// Tolerance in radians from which on triangles are not split.
 const MAX_TOLERANCE: f64 = 0.5;
 /// Vertices morphed between two checks for cancellation.
@@ -73,7 +74,7 @@ fn cut(
     moves: bool,
     is_within: &(impl Fn(DVec3) -> bool + Sync),
     progress: &Progress,
-) -> Result<Option<Vec<Vec<Placed>>>> {
+) -> Result<Option<Vec<Box<[Placed]>>>> {
     room_for(PIECE_BYTES * sources.len() as u64)?;
     let piece_count = AtomicU64::new(0);
     let count = |pieces: usize| {
@@ -105,7 +106,8 @@ fn cut(
         };
         Ok(split(tessellate::Piece::of_triangle(corners))?.into_iter().map(place_piece).collect())
     });
-    let triangles: Result<Vec<Vec<Placed>>> = triangles.collect();
+    // A slice instead of a vector, whose least capacity is four pieces.
+    let triangles: Result<Vec<Box<[Placed]>>> = triangles.collect();
     // Whether the total exceeds the limit does not depend on the order of threads.
     if piece_count.into_inner() > MAX_PIECES {
         progress.check()?;
@@ -152,7 +154,7 @@ impl Split {
             settings = settings.map(coarser).filter(|settings| settings.tolerance < MAX_TOLERANCE);
         };
         progress.check()?;
-        let count = triangles.iter().map(Vec::len).sum();
+        let count = triangles.iter().map(|pieces| pieces.len()).sum();
         let (mut pieces, mut faces) = (try_with_capacity(count)?, try_with_capacity(count)?);
         // The cut of an edge depends on the edge alone, so neighbours have bit-equal vertices.
         let (mut vertices, mut numbers) = (vec![], HashMap::new());

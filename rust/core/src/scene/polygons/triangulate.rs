@@ -92,8 +92,8 @@ impl Clipper {
     }
 
     /// Triangulates a polygon in coordinates relative to its first point, because the large coordinates of national
-    /// grids leave few digits for shapes. Returns whether the triangles have the area between the outer ring and its
-    /// holes; otherwise rings cross, overlap or leave the outer one. Fails if the caller has cancelled.
+    /// grids leave few digits for shapes. Returns false if rings cross, overlap or leave the outer one. Fails if the
+    /// caller has cancelled.
     pub(super) fn clip(&mut self, polygons: &Polygons, polygon: usize, progress: &Progress) -> Result<bool> {
         self.local.clear();
         self.numbers.clear();
@@ -115,19 +115,36 @@ impl Clipper {
             self.numbers.extend(ring.start as u32..ring.end as u32);
         }
         self.triangulate(progress)?;
-        let fills_rings = (self.doubled_area() - self.doubled_area_of_rings()).abs() <= self.rounding();
+        let fills_rings = self.fills_rings();
         let numbers = &self.numbers;
         self.triangles.iter_mut().flatten().for_each(|corner| *corner = numbers[*corner as usize]);
         Ok(fills_rings)
     }
 
-    /// Returns twice the area of the outer ring less that of its holes.
-    fn doubled_area_of_rings(&self) -> f64 {
-        let starts = self.holes.iter().map(|&start| start as usize);
-        let ends = starts.clone().chain([self.local.len()]);
-        let rings = [0].into_iter().chain(starts).zip(ends);
-        let areas = rings.map(|(start, end)| doubled_ring_area(&self.local[start..end]).abs());
-        areas.enumerate().map(|(number, area)| if number == 0 { area } else { -area }).sum()
+    /// Returns whether the triangles have the area between the outer ring and its holes, and each hole is as large as
+    /// the triangles that fill it alone.
+    ///
+    /// Triangles cover each point as often as the outer ring winds around it, less the windings of the holes. Where this
+    /// number is negative a triangle is turned, so that areas differ. But it is 0 and 2 in the halves of a hole that
+    /// crosses itself, whose area is the difference of the halves; such a hole is found alone.
+    fn fills_rings(&mut self) -> bool {
+        let rounding = self.rounding();
+        let mut area = 0.0;
+        let ends = [&self.holes[1.min(self.holes.len())..], &[self.local.len() as u32]].concat();
+        for (&start, end) in self.holes.iter().zip(ends) {
+            let hole = &self.local[start as usize..end as usize];
+            let hole_area = doubled_ring_area(hole).abs();
+            self.earcut.earcut_slice(hole, &[], &mut self.corners);
+            let corners = self.corners.as_chunks::<3>().0;
+            let filled: f64 = corners.iter().map(|face| doubled_area(face.map(|n| hole[n as usize])).abs()).sum();
+            if (filled - hole_area).abs() > rounding {
+                return false;
+            }
+            area -= hole_area;
+        }
+        let outer_end = self.holes.first().map_or(self.local.len(), |&start| start as usize);
+        area += doubled_ring_area(&self.local[..outer_end]).abs();
+        (self.doubled_area() - area).abs() <= rounding
     }
 
     /// Returns the difference of doubled areas that counts as rounding.
