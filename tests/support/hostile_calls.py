@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 from typing import Any
@@ -37,7 +38,7 @@ class Call:
         """All parameters, including those whose default the call uses."""
         return tuple(self._parameters)
 
-    @property
+    @functools.cached_property
     def names(self) -> tuple[str, ...]:
         """Names that a message may contain: other arguments may no longer fit a changed one.
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import functools
 import inspect
 import itertools
 import re
@@ -86,11 +87,16 @@ def verdict(exception: BaseException | None, parameter: str, others: Iterable[st
         return f"an exception of a wrong type, {text}"
     if FOREIGN.search(str(exception)):
         return f"a message that is not ours, {text}"
-    names = "|".join(re.escape(name) for name in (parameter, *others))
-    is_named = re.search(rf"(?<![A-Za-z0-9])({names})(?![A-Za-z0-9])", str(exception)) is not None
+    is_named = _any_of((parameter, *others)).search(str(exception)) is not None
     if len(text) > LONGEST:
         return f"a message of {len(text)} characters, {text}"
     # Files, scenes and devices are named by their own names.
     if not is_named and not isinstance(exception, OSError | nf.Error):
         return f"a message that does not name {parameter}, {text}"
     return None
+
+
+@functools.cache
+def _any_of(names: tuple[str, ...]) -> re.Pattern[str]:
+    """Return a pattern that finds each of these names as a whole word."""
+    return re.compile(rf"(?<![A-Za-z0-9])({'|'.join(map(re.escape, names))})(?![A-Za-z0-9])")
