@@ -47,7 +47,7 @@ def attempt(call: Callable[..., Any], arguments: Mapping[str, Any], *, begins: b
         warnings.simplefilter("error")
         warnings.filterwarnings("ignore", "the picture folds")
         try:
-            _result(call, arguments, begins=begins)
+            result(call, arguments, begins=begins)
         except Exception as error:
             return error
         except BaseException as error:
@@ -62,16 +62,16 @@ def outcome(call: Callable[..., Any], arguments: Mapping[str, Any]) -> str:
     """Call with keywords and return the digest of the result, or an empty text for a refusal."""
     with warnings.catch_warnings(), contextlib.suppress(*ALLOWED):
         warnings.simplefilter("ignore")
-        return digest(_result(call, arguments))
+        return digest(result(call, arguments))
     return ""
 
 
-def _result(call: Callable[..., Any], arguments: Mapping[str, Any], *, begins: bool = True) -> Any:
+def result(call: Callable[..., Any], arguments: Mapping[str, Any], *, begins: bool = True) -> Any:
     """The result of a call; an iterator is started unless disabled, and a coroutine is run."""
-    result = call(**arguments)
-    if inspect.iscoroutine(result):
-        return asyncio.run(result)
-    return list(itertools.islice(result, 2)) if begins and isinstance(result, Iterator) else result
+    returned = call(**arguments)
+    if inspect.iscoroutine(returned):
+        return asyncio.run(returned)
+    return list(itertools.islice(returned, 2)) if begins and isinstance(returned, Iterator) else returned
 
 
 def verdict(exception: BaseException | None, parameter: str, others: Iterable[str] = ()) -> str | None:
