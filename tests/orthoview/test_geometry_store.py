@@ -36,7 +36,7 @@ WORLDS: dict[str, tuple[Any, float]] = {
 def two_ends() -> nf.Scene:
     """Boxes at both ends of a long world."""
     near = world_triangles(boxes(12, 10.0)[0])
-    corners = np.concatenate([near, near + [170.0, 0.0, 0.0]]).reshape(-1, 3)
+    corners = np.concatenate([near, near + np.array((170.0, 0.0, 0.0))]).reshape(-1, 3)
     return nf.Scene.from_arrays(corners, np.arange(len(corners)).reshape(-1, 3))
 
 
