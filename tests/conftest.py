@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import signal
+import sys
 import threading
 from collections.abc import Iterator
 from typing import Any
@@ -21,6 +22,9 @@ settings.register_profile("thorough", deadline=None, max_examples=2000, suppress
 settings.load_profile(os.environ.get("NEARFAR_HYPOTHESIS", "fast"))
 
 os.environ.setdefault("NEARFAR_PROGRESS", "0")
+
+# Jupyter installs a grammar of addresses for jsonschema, which takes two seconds to import, and no schema here uses.
+sys.modules.setdefault("rfc3987_syntax", None)  # type: ignore[arg-type]
 
 
 def pytest_configure(config: pytest.Config) -> None:

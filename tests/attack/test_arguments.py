@@ -59,7 +59,7 @@ def call_of(name: str, valid: Valid) -> Call:
 @pytest.mark.parametrize("name", [pytest.param(name, id=f"{callable_of(name).stage}-{name}") for name in NAMES])
 def test_valid_arguments_work_and_invalid_ones_are_named(name: str, valid: Valid) -> None:
     call = call_of(name, valid)
-    assert call.attempt() is None
+    assert call.attempt_valid() is None
     assert list(call.wrong_refusals()) == []
     assert list(call.differences()) == []
     assert list(call.refused_floats()) == []

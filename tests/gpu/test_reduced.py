@@ -39,6 +39,12 @@ def reduced(city: nf.Scene, request: pytest.FixtureRequest) -> nf.ReducedScene:
 
 
 @pytest.fixture(scope="module")
+def small(city: nf.Scene) -> nf.ReducedScene:
+    """The city with small radii and a small map."""
+    return nf.reduce(city, center=CENTER, r1=15, r2=30, face_size=64, channels=CHANNELS, samples=1)
+
+
+@pytest.fixture(scope="module")
 def poses() -> dict[str, NDArray[np.float64]]:
     """Return poses of cars within r1, across both radii, between them and beyond, some behind houses."""
     places = [(-3, -8, 0.3), (2, -29, 1.0), (-4, -49.5, 0.2), (3, -70, 2.0), (-40, -60, 0.1)]
@@ -51,7 +57,7 @@ def pose_at(x: float, y: float, z: float, turn: float = 0.0) -> NDArray[np.float
     return np.asarray(matrix)
 
 
-def view(user: tuple[float, float, float], size: int = 256) -> nf.Camera:
+def view(user: tuple[float, float, float], size: int = 160) -> nf.Camera:
     target = (user[0] - 1.5, 3.0, user[2] - 40.0)
     return nf.Camera.look_at(user, target, fov=nf.Fov.symmetric(70), size=(size, size))
 
@@ -117,14 +123,14 @@ def test_a_large_moving_object_is_split_at_its_pose() -> None:
 def test_maps_equal_the_tracer_face_by_face(city: nf.Scene) -> None:
     for r2 in (1.0, 50.0):
         cpu, gpu = (
-            nf.reduce(city, center=CENTER, r1=0.5, r2=r2, face_size=256, channels=CHANNELS, samples=1, backend=backend)
+            nf.reduce(city, center=CENTER, r1=0.5, r2=r2, face_size=128, channels=CHANNELS, samples=1, backend=backend)
             for backend in ("cpu", "gpu")
         )
         assert cpu.env is not None
         assert gpu.env is not None
         for face in range(6):
             check_ids(cpu.env.object_id[face], gpu.env.object_id[face])  # type: ignore[index]
-            camera = nf.Camera(CENTER, fov=nf.CubeFace(face), size=(256, 256))
+            camera = nf.Camera(CENTER, fov=nf.CubeFace(face), size=(128, 128))
             colors = [np.asarray(env.color[face], np.float32) for env in (cpu.env, gpu.env)]
             check_color(nf.Frame(camera, color=colors[0]), nf.Frame(camera, color=colors[1]))
             inside = ~edges(cpu.env.object_id[face])  # type: ignore[index]
@@ -136,44 +142,9 @@ def test_maps_equal_the_tracer_face_by_face(city: nf.Scene) -> None:
         assert gpu.stats["rays"] == 0 < cpu.stats["rays"]
 
 
-def test_each_face_looks_in_its_direction() -> None:
-    """Six walls of different colours, each with a dark corner that reveals rotations of the face."""
-    walls, marks = [], []
-    for axis in range(3):
-        for sign in (1, -1):
-            out = np.eye(3)[axis] * sign
-            wall = trimesh.creation.box(np.where(np.eye(3)[axis] > 0, 0.1, 40.0))
-            wall.apply_translation(out * 20)
-            color = np.full(4, 255)
-            color[:3] = 60 + 130 * (np.arange(3) == axis) + (60 if sign < 0 else 0)
-            wall.visual.face_colors = color.astype(np.uint8)
-            mark = trimesh.creation.box((4, 4, 4))
-            mark.apply_translation(
-                out * 18 + np.roll(np.eye(3), 1, axis=1)[axis] * 9 + np.roll(np.eye(3), 2, 1)[axis] * 6
-            )
-            mark.visual.face_colors = (10, 10, 10, 255)
-            walls.append(wall)
-            marks.append(mark)
-    scene = nf.Scene.from_trimesh(trimesh.util.concatenate([*walls, *marks]))
-    faces = [
-        nf.reduce(scene, center=(0, 0, 0), r1=1, r2=2, face_size=32, samples=1, backend=backend).env
-        for backend in ("cpu", "gpu")
-    ]
-    assert faces[0] is not None
-    assert faces[1] is not None
-    colors = [np.asarray(env.color, np.float32) for env in faces if env is not None]
-    for one in range(6):
-        for other in range(6):
-            apart = np.abs(colors[0][one] - colors[1][other]).mean()
-            # The face is equal up to edges; another or a rotated face would differ by a wall's colour or by its mark.
-            assert apart < 2e-4 if one == other else apart > 1e-3
-        for turned in (np.rot90(colors[1][one]), colors[1][one][:, ::-1], colors[1][one][::-1]):
-            assert np.abs(colors[0][one] - turned).mean() > 1e-3
-
-
 @pytest.mark.parametrize("boundary", ["r1", "r2"])
 def test_the_conventional_method_breaks_as_on_the_cpu(city: nf.Scene, boundary: str) -> None:
-    settings: dict[str, Any] = {"morph": "none", "boundary": boundary, "channels": CHANNELS}
+    settings: dict[str, Any] = {"morph": "none", "boundary": boundary, "channels": CHANNELS, "samples": 1}
     reduced = nf.reduce(city, center=CENTER, r1=20, r2=40, face_size=128, **settings)
     cpu, gpu = both(reduced, view(USERS["near"]), channels=ALL)
     check_ids(cpu.require("face_id"), gpu.require("face_id"))
@@ -190,30 +161,28 @@ def test_without_far_geometry_the_sky_is_visible() -> None:
     check_color(cpu, gpu)
 
 
-def test_a_loaded_scene_is_drawn_as_before_saving(city: nf.Scene, tmp_path: Path) -> None:
-    reduced = nf.reduce(city, center=CENTER, r1=15, r2=30, face_size=64, channels=CHANNELS)
-    reduced.save(tmp_path / "light")
+def test_a_loaded_scene_is_drawn_as_before_saving(small: nf.ReducedScene, tmp_path: Path) -> None:
+    small.save(tmp_path / "light")
     loaded = nf.ReducedScene.load(tmp_path / "light")
     camera = view(USERS["near"], 96)
-    before, after = (one.render(camera, backend="gpu") for one in (reduced, loaded))
+    before, after = (one.render(camera, backend="gpu") for one in (small, loaded))
     check_ids(before.require("object_id"), after.require("object_id"))
     check_color(before, after)
 
 
 def test_only_near_geometry_is_drawn_and_little_is_uploaded(
-    city: nf.Scene, poses: dict[str, NDArray[np.float64]]
+    small: nf.ReducedScene, poses: dict[str, NDArray[np.float64]]
 ) -> None:
-    reduced = nf.reduce(city, center=CENTER, r1=15, r2=30, face_size=64, channels=CHANNELS)
     cameras = [view((0.8 + 0.02 * i, 1.7, 0.0), 64) for i in range(6)]
-    for frame in nf.render_path(reduced, cameras, at=poses, backend="gpu"):
+    for frame in nf.render_path(small, cameras, at=poses, backend="gpu"):
         assert frame.camera.size == (64, 64)
     before = nf.gpu.stats()
-    frame = reduced.render(cameras[0], at=poses, backend="gpu")
+    frame = small.render(cameras[0], at=poses, backend="gpu")
     still = nf.gpu.stats()
     # Split triangles near the user, and cars twice: within the near part and beyond it.
     assert 0 < still["triangles"] - before["triangles"] <= frame.stats["frame_triangles"] + 20_000
-    reduced.render(cameras[3], at=poses, backend="gpu")
-    reduced.render(cameras[3], at=poses | {"car_0": pose_at(-2.5, 0.15, -9, 0.4)}, backend="gpu")
+    small.render(cameras[3], at=poses, backend="gpu")
+    small.render(cameras[3], at=poses | {"car_0": pose_at(-2.5, 0.15, -9, 0.4)}, backend="gpu")
     after = nf.gpu.stats()
     assert after["allocations"] == still["allocations"] == before["allocations"]
     # A pass, and one car's transform in two passes.
@@ -233,19 +202,20 @@ def test_adapters_refuse_positions_of_maps_without_range() -> None:
             call()
 
 
-def test_each_frame_reports_its_own_counts(city: nf.Scene, poses: dict[str, NDArray[np.float64]]) -> None:
-    reduced = nf.reduce(city, center=CENTER, r1=15, r2=30, face_size=32)
+def test_each_frame_reports_its_own_counts(
+    city: nf.Scene, small: nf.ReducedScene, poses: dict[str, NDArray[np.float64]]
+) -> None:
     cameras = [view(user, 32) for user in (USERS["near"], (16.0, 1.7, 0.0))]
-    frames = list(nf.render_path(reduced, cameras, at=poses, backend="gpu"))
+    frames = list(nf.render_path(small, cameras, at=poses, backend="gpu"))
     assert [frame.stats["tolerance_held"] for frame in frames] == [True, False]
     assert all(frame.stats["dynamic_triangles"] > 0 for frame in frames)
-    kept = nf.gpu.render(reduced, cameras[0], at=poses).read()
+    kept = nf.gpu.render(small, cameras[0], at=poses).read()
     assert kept.stats == frames[0].stats
     assert nf.gpu.render(city, cameras[0]).read().stats == {}
 
 
 def test_bent_rays_require_the_cpu(city: nf.Scene) -> None:
-    reduced = nf.reduce(city, center=CENTER, r1=15, r2=30, face_size=32)
+    reduced = nf.reduce(city, center=CENTER, r1=15, r2=30, face_size=32, samples=1)
     camera = view(USERS["near"], 32)
     with pytest.raises(ValueError, match=r"method: expected 'vertex' with backend='gpu', got 'exact'"):
         reduced.render(camera, method="exact", backend="gpu")

@@ -16,7 +16,7 @@ from nearfar.orthoview import _update
 from nearfar.orthoview._shard import ShardWriter
 from tests.support import need
 from tests.support.orthoview_cases import boxes
-from tests.support.orthoview_stores import CELL, SIZE, Counted, Interrupted, contents, ended, of_cells
+from tests.support.orthoview_stores import CELL, SIZE, Counted, Interrupted, built_once, contents, ended, of_cells
 
 need("zarr")
 
@@ -27,16 +27,20 @@ AMID = 216
 """Number of the query for a leaf in the middle of a subtree, with non-empty leaves before and after it."""
 
 
-def check_resumed(source: Any, path: Path, tree: Tree) -> None:
+@pytest.fixture(scope="session")
+def whole(few: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> Tree:
+    """A tree of a source that does not report where it is empty, built without interruption."""
+    return built_once(tmp_path_factory, "counted.zarr", Counted(few), **SETTINGS)
+
+
+def check_resumed(source: Any, path: Path, whole: Tree) -> None:
     """Check that a build resumes and writes the same files as an uninterrupted one."""
     resumed = nf.orthoview.build(source, path, **SETTINGS)
     assert resumed.is_complete
-    assert resumed.held == tree.held
-    assert contents(path) == contents(Path(tree.path))
-    alike = Counted(source._scene) if isinstance(source, Counted) else source
-    whole = Path(nf.orthoview.build(alike, path.with_suffix(".whole"), **SETTINGS).path)
+    assert resumed.held == whole.held
+    assert contents(path) == contents(Path(whole.path))
     for name in ("zarr.json", "nearfar/records.json"):  # with the counts of work, and the hashes of all records
-        assert (path / name).read_bytes() == (whole / name).read_bytes()
+        assert (path / name).read_bytes() == (Path(whole.path) / name).read_bytes()
     assert not list(path.rglob("*.part"))
     assert not list((path / "nearfar" / "journal").glob("*"))
 
@@ -125,20 +129,20 @@ nf.orthoview.build(source, f"{folder}/{name}.zarr", **settings)
 
 
 @pytest.mark.slow
-def test_a_killed_build_is_resumed(few: nf.Scene, few_tree: Tree, tmp_path: Path) -> None:
+def test_a_killed_build_is_resumed(few: nf.Scene, whole: Tree, tmp_path: Path) -> None:
     """Only the current cell is lost."""
     given = f"\nfolder, settings = {str(tmp_path)!r}, {SETTINGS!r}"
     ended(given + BUILD, KILLS)
     with pytest.raises(ValueError, match="is missing: the build has not ended"):
-        nf.orthoview.open(tmp_path / "in a query.zarr").view(few_tree.levels - 1, (0, 0, 0), 0)
+        nf.orthoview.open(tmp_path / "in a query.zarr").view(whole.levels - 1, (0, 0, 0), 0)
     for moment in KILLS:
         source = Counted(few)
-        check_resumed(source, tmp_path / f"{moment}.zarr", few_tree)
-        assert (source.queries == np.prod(few_tree.cells(0)) - (AMID - 1)) == (moment == "in a query"), moment
+        check_resumed(source, tmp_path / f"{moment}.zarr", whole)
+        assert (source.queries == np.prod(whole.cells(0)) - (AMID - 1)) == (moment == "in a query"), moment
 
 
 @pytest.mark.slow
-def test_data_lost_in_a_power_failure_is_drawn_again(few: nf.Scene, few_tree: Tree, tmp_path: Path) -> None:
+def test_data_lost_in_a_power_failure_is_drawn_again(few: nf.Scene, whole: Tree, tmp_path: Path) -> None:
     """A shard may be shorter than its journal states, and a line of the journal may be damaged."""
     path = tmp_path / "world.zarr"
     with pytest.raises(KeyboardInterrupt):
@@ -147,19 +151,19 @@ def test_data_lost_in_a_power_failure_is_drawn_again(few: nf.Scene, few_tree: Tr
     part.write_bytes(part.read_bytes()[:-10])
     (journal,) = (path / "nearfar" / "journal").glob("0_*")
     journal.write_bytes(journal.read_bytes() + bytes(3) + b"\n")
-    check_resumed(few, path, few_tree)
+    check_resumed(Counted(few), path, whole)
 
 
-def test_ctrl_c_ends_the_build_and_loses_nothing(few: nf.Scene, few_tree: Tree, tmp_path: Path) -> None:
+def test_ctrl_c_ends_the_build_and_loses_nothing(few: nf.Scene, whole: Tree, tmp_path: Path) -> None:
     with pytest.raises(KeyboardInterrupt):
         nf.orthoview.build(Interrupted(few, AMID), tmp_path / "world.zarr", **SETTINGS)
     source = Counted(few)
-    check_resumed(source, tmp_path / "world.zarr", few_tree)
-    assert source.queries == np.prod(few_tree.cells(0)) - (AMID - 1)
+    check_resumed(source, tmp_path / "world.zarr", whole)
+    assert source.queries == np.prod(whole.cells(0)) - (AMID - 1)
 
 
 def test_a_full_disk_ends_the_build_and_loses_nothing(
-    few: nf.Scene, few_tree: Tree, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    few: nf.Scene, whole: Tree, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Half of a chunk is written when the disk becomes full."""
     write, left = ShardWriter._write, [50_000]
@@ -176,8 +180,8 @@ def test_a_full_disk_ends_the_build_and_loses_nothing(
         with pytest.raises(OSError, match="No space left on device"):
             nf.orthoview.build(Counted(few), tmp_path / "world.zarr", **SETTINGS)
     source = Counted(few)
-    check_resumed(source, tmp_path / "world.zarr", few_tree)
-    assert source.queries < np.prod(few_tree.cells(0))
+    check_resumed(source, tmp_path / "world.zarr", whole)
+    assert source.queries < np.prod(whole.cells(0))
 
 
 def test_a_source_that_always_fails_ends_the_build(world: nf.Scene, tmp_path: Path) -> None:
@@ -202,14 +206,16 @@ def test_concurrent_builds_of_one_store_are_refused(world: nf.Scene, tmp_path: P
 
 
 @pytest.mark.parametrize("quality", [None, 80])
-def test_webp_colours_are_resumed(few: nf.Scene, few_tree: Tree, tmp_path: Path, quality: int | None) -> None:
+def test_webp_colours_are_resumed(few: nf.Scene, tmp_path: Path, quality: int | None) -> None:
     """Lossless colours are equal. Parents are composed of decoded lossy ones, so a resumed build has the same bytes."""
-    settings: dict[str, Any] = SETTINGS | {"color": "webp", "quality": quality, "geometry": False}
+    large: dict[str, Any] = SETTINGS | {"cell": 2 * CELL, "geometry": False}
+    settings = large | {"color": "webp", "quality": quality}
     made = nf.orthoview.build(few, tmp_path / "world.zarr", **settings)
+    exact = nf.orthoview.build(few, tmp_path / "exact.zarr", **large)
     differences = []
-    for level, place in of_cells(few):
-        one, other = made.view(level, place, 4), few_tree.view(level, place, 4)
-        if level == 1 and one is not None and other is not None:
+    for place in np.ndindex(*exact.cells(1)):
+        one, other = made.view(1, place, 4), exact.view(1, place, 4)
+        if one is not None and other is not None:
             np.testing.assert_array_equal(one.depth, other.depth)
             assert not one.color[~np.isfinite(one.depth)].any()
             differences.append(np.abs(one.color.astype(int) - other.color).max())
@@ -217,7 +223,7 @@ def test_webp_colours_are_resumed(few: nf.Scene, few_tree: Tree, tmp_path: Path,
     assert (max(differences) > 0) == (quality is not None)
     if quality is not None:
         with pytest.raises(KeyboardInterrupt):
-            nf.orthoview.build(Interrupted(few, AMID), tmp_path / "again.zarr", **settings)
+            nf.orthoview.build(Interrupted(few, 60), tmp_path / "again.zarr", **settings)
         nf.orthoview.build(few, tmp_path / "again.zarr", **settings)
         assert contents(tmp_path / "again.zarr") == contents(Path(made.path))
 

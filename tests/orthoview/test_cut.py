@@ -18,7 +18,7 @@ from nearfar.orthoview._cut import BAND, OrthoCut
 from nearfar.orthoview._grid import Grid
 from tests.support import cut_oracle as oracle, need
 from tests.support.orthoview_cases import CORNER, boxes
-from tests.support.orthoview_stores import CELL, SIZE, of_cells
+from tests.support.orthoview_stores import CELL, SIZE, masks_of
 
 need("zarr")
 
@@ -53,13 +53,9 @@ CAMERAS = {
 
 
 @pytest.fixture(scope="module")
-def cells(world: nf.Scene) -> oracle.World:
-    """Non-empty cells, computed without a store, with bit masks of their non-empty directions."""
-    shown = {
-        cell: sum(1 << n for n, empty in enumerate(views.empty()) if not empty)
-        for cell, views in of_cells(world).items()
-    }
-    return oracle.World.from_cells(Grid.from_bounds(world.bounds, CELL), shown)
+def cells(world: nf.Scene, tree: nf.orthoview.OrthoTree) -> oracle.World:
+    """Non-empty cells, with bit masks of their non-empty directions; test_build.py checks them."""
+    return oracle.World.from_cells(Grid.from_bounds(world.bounds, CELL), masks_of(tree))
 
 
 def rows(places: NDArray[np.int64]) -> list[tuple[int, int, int]]:

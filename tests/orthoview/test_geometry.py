@@ -47,7 +47,7 @@ def with_area(scene: nf.Scene) -> nf.Scene:
 # what belongs to a leaf -----------------------------------------------------------------------------------------------
 @pytest.mark.parametrize(
     ("offset", "cell", "part"),
-    [*zip([(0, 0, 0), FAR] * 3, [10.0, 0.7 * 13, 7.0] * 2, [None, None, PART, PART, SMALL, SMALL], strict=True)],
+    [*zip([(0, 0, 0), FAR] * 3, [20.0, 0.7 * 26, 7.0] * 2, [None, None, PART, PART, SMALL, SMALL], strict=True)],
 )
 def test_each_triangle_belongs_to_one_of_the_leaves_that_it_touches(offset: Any, cell: float, part: Any) -> None:
     world = soup(offset)
@@ -98,9 +98,15 @@ def test_a_triangle_across_a_partial_tree_belongs_to_its_central_leaf() -> None:
 
 
 # positions ------------------------------------------------------------------------------------------------------------
-@pytest.mark.parametrize(("world", "cell"), [("boxes", 20.0), ("boxes", 8.0), ("far", 20.0), ("balls", 4.0)])
+@pytest.mark.parametrize(("world", "cell"), [("boxes", 20.0), ("fine boxes", 8.0), ("far", 20.0), ("balls", 4.0)])
 def test_positions_are_within_the_stated_error(world: str, cell: float) -> None:
-    scene = {"boxes": lambda: boxes(60, 80.0)[0], "far": lambda: with_area(soup(FAR)), "balls": balls}[world]()
+    worlds = {
+        "boxes": lambda: boxes(60, 80.0)[0],
+        "fine boxes": lambda: boxes(20, 40.0)[0],
+        "far": lambda: with_area(soup(FAR)),
+        "balls": balls,
+    }
+    scene = worlds[world]()
     grid = Grid.from_bounds(scene.bounds, cell)
     errors = []
     for place, part in parts(scene, grid):

@@ -27,10 +27,17 @@ from tests.support.reader_cases import node
 
 WORLDS: dict[str, tuple[Any, float]] = {
     # Subtrees of two tiers; instances, moving objects and a texture; a world of one leaf.
-    "boxes": (lambda: boxes(60, 80.0)[0], 5.0),
+    "boxes": (lambda: two_ends(), 5.0),
     "balls": (balls, 2.0),
     "leaf": (lambda: boxes(3, 2.0)[0], 16.0),
 }
+
+
+def two_ends() -> nf.Scene:
+    """Boxes at both ends of a long world."""
+    near = world_triangles(boxes(12, 10.0)[0])
+    corners = np.concatenate([near, near + np.array((170.0, 0.0, 0.0))]).reshape(-1, 3)
+    return nf.Scene.from_arrays(corners, np.arange(len(corners)).reshape(-1, 3))
 
 
 class Case:

@@ -99,6 +99,21 @@ def test_flights_over_http_make_the_simulated_requests(tree: Tree, threads: int)
     assert opening == 1
 
 
+def test_leaves_are_requested_as_decoding_reads_them(city: Tree, textured: Tree) -> None:
+    """Static and moving triangles, and a texture that leaves share."""
+    for name, tree in (("moving/", city), ("images/", textured)):
+        requests, found = FlightRequests(tree), False
+        near = requests.opened.viewer.near
+        requests.list_requests((0, (0, 0, 0), -1))  # with the records
+        for place in np.ndindex(*tree.cells(0)):
+            listed = requests.list_requests((0, place, -1))
+            near.load([place])
+            near.images.trim((), 0)
+            assert listed == requests._files.requests
+            found |= any(name in request.file for request in listed)
+        assert found
+
+
 def test_simulated_threads_have_one_request_each(tree: Tree) -> None:
     """Without rate limit and handshake, n requests of t threads that begin at once take n/t round trips."""
     link = Link(1e6, rtt_ms=1000.0, handshake=0.0)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 from typing import Any
@@ -14,7 +15,7 @@ from tests.support.name_patterns import match_length
 from tests.support.parameters import added_kinds, kinds_of, range_of
 from tests.support.valid_calls import calls
 from tests.support.valid_calls.objects import Valid
-from tests.support.verdict import attempt, outcome, verdict
+from tests.support.verdict import attempt, outcome, result, verdict
 from tests.support.wrong_values import wrong_values
 
 HARMLESS = frozenset(("none", "big", "flag", "scene", "camera", "frame", "model", "mesh", "lens", "hmd"))
@@ -31,13 +32,14 @@ class Call:
         self.name, self._valid = name, valid
         self._parameters = calls.parameters_of(name)
         self.arguments = calls.arguments(name, valid)
+        self._valid_outcome = ""
 
     @property
     def parameters(self) -> tuple[str, ...]:
         """All parameters, including those whose default the call uses."""
         return tuple(self._parameters)
 
-    @property
+    @functools.cached_property
     def names(self) -> tuple[str, ...]:
         """Names that a message may contain: other arguments may no longer fit a changed one.
 
@@ -51,6 +53,14 @@ class Call:
     ) -> BaseException | None:
         """Call with changed arguments, and return the exception; `begins` is that of `verdict.attempt`."""
         return attempt(calls.target(self.name, self._valid), {**self.arguments, **changes}, begins=begins)
+
+    def attempt_valid(self) -> BaseException | None:
+        """Call without changes, remember the digest of the result, and return the exception."""
+
+        def call(**arguments: Any) -> None:
+            self._valid_outcome = digest(result(calls.target(self.name, self._valid), arguments))
+
+        return attempt(call, self.arguments)
 
     def outcome(self, **changes: Any) -> str:
         """Call with changed arguments, and return the digest of the result; an empty text for a refusal."""
@@ -77,24 +87,23 @@ class Call:
             yield f"{self.name} changed its arguments"
 
     def differences(self) -> Iterator[str]:
-        """Describe each array argument whose layout in memory changes the result."""
+        """Describe each array argument whose layout in memory changes the result of `attempt_valid`."""
         arrays = {
             name: value
             for name, value in self.arguments.items()
             if isinstance(value, np.ndarray) and value.size > 1 and value.dtype.kind in "fiu"
         }
-        expected = self.outcome() if arrays else ""
         for name, value in arrays.items():
             for layout, array in _layouts(value):
-                if self.outcome(**{name: array}) != expected:
+                if self.outcome(**{name: array}) != self._valid_outcome:
                     yield f"{self.name}({name}={layout}) gives another result"
 
     def refused_floats(self) -> Iterator[str]:
-        """Describe each count, or pair of counts, that gives another result as a float, such as 4.0 instead of 4."""
+        """Describe each count, or pair of counts, that as a float gives another result than in `attempt_valid`."""
         counts = self._counts()
         # Most calls take all of their counts as floats at once; if not, those that are wrong are found one by one.
         given = {name: as_float(count) for name, count in counts.items() if self._everything()[name] is not None}
-        if given and self.outcome(**given) == self.outcome():
+        if given and self.outcome(**given) == self._valid_outcome:
             counts = {name: count for name, count in counts.items() if name not in given}
         for name, count in counts.items():
             same = as_float(count)

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import functools
 from fnmatch import fnmatchcase
 
 
+@functools.cache
 def match_length(name: str, patterns: str) -> int:
     """Return the length of the longest pattern that matches "callable.parameter", or 0.
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import functools
 import inspect
 import itertools
 import re
@@ -46,7 +47,7 @@ def attempt(call: Callable[..., Any], arguments: Mapping[str, Any], *, begins: b
         warnings.simplefilter("error")
         warnings.filterwarnings("ignore", "the picture folds")
         try:
-            _result(call, arguments, begins=begins)
+            result(call, arguments, begins=begins)
         except Exception as error:
             return error
         except BaseException as error:
@@ -61,16 +62,16 @@ def outcome(call: Callable[..., Any], arguments: Mapping[str, Any]) -> str:
     """Call with keywords and return the digest of the result, or an empty text for a refusal."""
     with warnings.catch_warnings(), contextlib.suppress(*ALLOWED):
         warnings.simplefilter("ignore")
-        return digest(_result(call, arguments))
+        return digest(result(call, arguments))
     return ""
 
 
-def _result(call: Callable[..., Any], arguments: Mapping[str, Any], *, begins: bool = True) -> Any:
+def result(call: Callable[..., Any], arguments: Mapping[str, Any], *, begins: bool = True) -> Any:
     """The result of a call; an iterator is started unless disabled, and a coroutine is run."""
-    result = call(**arguments)
-    if inspect.iscoroutine(result):
-        return asyncio.run(result)
-    return list(itertools.islice(result, 2)) if begins and isinstance(result, Iterator) else result
+    returned = call(**arguments)
+    if inspect.iscoroutine(returned):
+        return asyncio.run(returned)
+    return list(itertools.islice(returned, 2)) if begins and isinstance(returned, Iterator) else returned
 
 
 def verdict(exception: BaseException | None, parameter: str, others: Iterable[str] = ()) -> str | None:
@@ -86,11 +87,16 @@ def verdict(exception: BaseException | None, parameter: str, others: Iterable[st
         return f"an exception of a wrong type, {text}"
     if FOREIGN.search(str(exception)):
         return f"a message that is not ours, {text}"
-    names = "|".join(re.escape(name) for name in (parameter, *others))
-    is_named = re.search(rf"(?<![A-Za-z0-9])({names})(?![A-Za-z0-9])", str(exception)) is not None
+    is_named = _any_of((parameter, *others)).search(str(exception)) is not None
     if len(text) > LONGEST:
         return f"a message of {len(text)} characters, {text}"
     # Files, scenes and devices are named by their own names.
     if not is_named and not isinstance(exception, OSError | nf.Error):
         return f"a message that does not name {parameter}, {text}"
     return None
+
+
+@functools.cache
+def _any_of(names: tuple[str, ...]) -> re.Pattern[str]:
+    """Return a pattern that finds each of these names as a whole word."""
+    return re.compile(rf"(?<![A-Za-z0-9])({'|'.join(map(re.escape, names))})(?![A-Za-z0-9])")

@@ -7,7 +7,7 @@ import threading
 from collections import defaultdict
 from collections.abc import Collection, Sequence
 
-from nearfar._base import formats
+from nearfar._base import formats, glb
 from nearfar._base.errors import UnusableError
 from nearfar._base.recent import Recent
 from nearfar._scene.arrays import origin_for
@@ -79,6 +79,15 @@ class Near:
                     if place in self._joined[0]:
                         self._joined = ((), None)
         return has_file
+
+    def read_undecoded(self, place: Place) -> None:
+        """Read the files that `load` reads for one leaf, none of which is cached, without decoding them."""
+        for name in names(self._grid, place):
+            if (data := self._chunks.geometry(name)) is not None:
+                with formats.guarded(f"{self._address}/{name}"):
+                    for image in glb.header(data)[0].get("images", []):
+                        _Images(self).get(image["uri"])
+        self.images.trim((), 0)
 
     def _read_file(self, name: str) -> Scene | None:
         data = self._chunks.geometry(name)

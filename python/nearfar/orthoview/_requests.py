@@ -54,10 +54,8 @@ class FlightRequests:
         level, place, _ = part
         viewer, chunks = self.opened.viewer, self.opened.chunks
         if kind(part) == GEOMETRY:
-            viewer.near.load([place])
             # The simulated caches decide whether the leaf and its textures are read again.
-            viewer.near.cache.trim((), 0)
-            viewer.near.images.trim((), 0)
+            viewer.near.read_undecoded(place)
         elif kind(part) == RECORD:
             self.opened.read_cells(level, place)
         else:

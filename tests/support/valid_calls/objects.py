@@ -159,6 +159,16 @@ class Valid:
         return nf.orthoview.open(self.store)
 
     @functools.cached_property
+    def moving_orthotree(self) -> nf.orthoview.OrthoTree:
+        """The tree with a moving object."""
+        return self.orthotree.with_dynamic(self.scene)
+
+    @functools.cached_property
+    def sphere_task(self) -> nf.datasets.SphereTask:
+        """A task of pointing at spheres."""
+        return nf.datasets.sphere_task()[1]
+
+    @functools.cached_property
     def flown(self) -> nf.orthoview.FlightLog:
         """Two frames of a simulated flight."""
         return nf.orthoview.simulate(self.orthotree, [self.camera] * 2, link=nf.stream.Link(50.0))
