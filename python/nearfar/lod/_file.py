@@ -16,7 +16,7 @@ from nearfar.lod._measured_levels import MeasuredLevels
 NAME, VERSION = "lod", 2
 PARAMETERS = ("a", "b", "c", "d", "rms")
 STATUSES = ("fitted", "step", "open", "flat", "unfittable")
-"""Values of `Curve4PL.status`."""
+"""Values of `Curve4PL.status`, explained in `nearfar.lod.fit_4pl`."""
 
 
 def encode_document(model: MeasuredLevels) -> dict[str, Any]:

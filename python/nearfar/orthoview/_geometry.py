@@ -166,7 +166,7 @@ def _encode(core: _core.Scene, step: float, images: Images | None, names: list[s
     uris: list[str | None] = [None] * core.texture_count
     if images is not None and uris:
         uris = [f"{IMAGES}/{images.add(texels)}" for texels in _core.scene_parts(core)["textures"]]
-    group = np.zeros(1, np.uint16)  # all objects are in group 0: the last entry is for faces without an object
+    group = np.zeros(1, np.uint16)  # all objects are in group 0: a single entry applies to all
     encoding: dict[str, Any] = {"step": step, "compressed": True}
     export = _core.Export(core, group, 1, names=names, images=uris, encoding=encoding)
     data, facts = export.glb(0, uris=[None] * len(export.shared()))

@@ -118,7 +118,8 @@ def grids(outline: Floats, spacing: float) -> list[Grid]:
     """Candidate grids (x, z) for an outline (N, 2) of straight pieces.
 
     The rows of each grid run along a long piece, with a centre on it. Such a grid needs the fewest cells for a straight
-    walk, and a change to the next centre in walking direction causes no jump.
+    walk. A user who looks ahead sees almost no jump where the next centre takes over, because the centre then moves in
+    the direction of view (docs/walk.md).
     """
     starts, ends = (outline[:-1], outline[1:]) if len(outline) > 1 else (outline, outline)
     lengths = np.hypot(*(ends - starts).T)
@@ -157,12 +158,12 @@ def _samples(starts: Floats, ends: Floats, step: float) -> list[tuple[NDArray[np
     return blocks
 
 
-def _merge(cells: Cells, facts: Floats) -> tuple[Cells, Floats]:
-    """Merge duplicate cells: minimum of their first values, maximum of the second, minimum of the third."""
+def _merge(cells: Cells, spans: Floats) -> tuple[Cells, Floats]:
+    """Merge duplicate cells: minimum of the least heights, maximum of the greatest, minimum of the first visits."""
     unique, rows = np.unique(cells, axis=0, return_inverse=True)
     joined = np.tile([np.inf, -np.inf, np.inf], (len(unique), 1))
     for column, ufunc in enumerate((np.minimum, np.maximum, np.minimum)):
-        ufunc.at(joined[:, column], rows.ravel(), facts[:, column])
+        ufunc.at(joined[:, column], rows.ravel(), spans[:, column])
     return unique, joined
 
 
