@@ -146,7 +146,7 @@ def measure_objects(
 
 @dataclass(frozen=True)
 class Crowd:
-    """Objects at random places in a ball about the origin, with random orientations."""
+    """Objects at random places in a sphere about the origin, with random orientations."""
 
     model_index: NDArray[np.int64]
     transforms: NDArray[np.float64]

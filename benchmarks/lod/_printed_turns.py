@@ -7,7 +7,7 @@ from dataclasses import dataclass
 SIZES = (10, 15, 20, 30)
 """Radii of the balls, metres."""
 COUNTS = (100, 500, 1000)
-"""Numbers of objects in a ball."""
+"""Numbers of objects in a sphere around the user."""
 
 Row = tuple[float, float, float]
 """A value for each of `COUNTS`."""
@@ -15,7 +15,7 @@ Row = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class PrintedTurn:
-    """Printed results of the thesis for a headset and a ball."""
+    """Printed results of the thesis for a headset and a sphere."""
 
     depth: Row
     """Percentage of full detail's triangles saved by depth."""
@@ -49,7 +49,7 @@ RIFT_S = {
         (95.7, 95.3, 96.3), None,
     ),
 }  # fmt: skip
-"""By the ball's radius in metres."""
+"""By the radius in metres of the sphere around the user."""
 
 VIVE_PRO = {
     10: PrintedTurn(
@@ -69,4 +69,4 @@ VIVE_PRO = {
         (97.5, 96.8, 96.3), None,
     ),
 }  # fmt: skip
-"""By the ball's radius in metres."""
+"""By the radius in metres of the sphere around the user."""

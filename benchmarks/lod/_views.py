@@ -34,7 +34,7 @@ class Case:
     cameras: list[nf.Camera]
 
     @classmethod
-    def in_ball(
+    def in_sphere(
         cls, models: list[nf.lod.LodModel], headset: Headset, size: int, count: int, *, turns: int = TURNS
     ) -> Case:
         """Make a case as in the thesis, seen from the middle."""
@@ -48,7 +48,7 @@ class Case:
     @functools.cached_property
     def truths(self) -> list[View]:
         """Pictures at full detail, one for each view."""
-        return [View.render(self, camera, self.in_full(camera)) for camera in self.cameras]
+        return [View.render(self, camera, self.full_levels(camera)) for camera in self.cameras]
 
     @property
     def fine_size(self) -> tuple[int, int]:
@@ -85,8 +85,8 @@ class Case:
         """Return a view in the pixels of a mode: those of the panel, or those that a headset renders."""
         return replace(camera, size=self.headset.panel_size) if mode == "panel" else camera
 
-    def in_full(self, camera: nf.Camera) -> Levels:
-        """Return level 0 for all objects in view."""
+    def full_levels(self, camera: nf.Camera) -> Levels:
+        """Return level 0 for objects in view, −1 for the others."""
         return np.minimum(nf.lod.select(self.models, *self.index_and_spheres, camera=camera, mode="depth").level, 0)
 
     def screen_errors(self, camera: nf.Camera) -> NDArray[np.float64]:

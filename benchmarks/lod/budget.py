@@ -1,7 +1,8 @@
 """Mean SSIM behind the lens under a budget of triangles, compared with rules of screen-space error.
 
-All rules choose among the same levels; our curves are measured up to objects that fill a quarter of the screen. Our
-budget for a view is the number of triangles that the other rule draws in it.
+All rules choose among the same levels; our curves are measured up to objects that fill a quarter of the screen. The
+budget of a view, for our rule and for the greedy one, is the number of triangles that the rule `by_screen_error` draws
+in it.
 """
 
 from __future__ import annotations
@@ -20,9 +21,9 @@ from benchmarks.lod._views import Case, Levels
 from nearfar.lod._select.rules import Mode
 
 PIXELS = (0.5, 1.0, 2.0, 4.0, 8.0, 16.0)
-"""Allowed screen-space errors of tile viewers, pixels; 16 is the usual default."""
+"""Allowed screen-space errors of viewers of 3D Tiles such as Cesium, pixels; 16 is the usual default."""
 SCENES = [(10, 100), (15, 500), (20, 500), (30, 1000)]
-"""Radius of the ball in metres, and number of objects."""
+"""Radius in metres of the sphere around the user in which objects are placed, and number of objects."""
 STEPS = 7
 """Bisection steps of the search for a budget: to 1 % of the triangles that a rule draws."""
 MODE: Mode = "panel"
@@ -71,15 +72,15 @@ class View:
 
     def by_screen_error(self, pixels: float) -> Levels:
         """Choose the coarsest levels whose error covers at most some pixels."""
-        full = self.case.in_full(self.camera)
+        level_or_hidden = self.case.full_levels(self.camera)
         is_good = self.case.screen_errors(self.camera) <= pixels
         coarsest = len(is_good) - 1 - np.argmax(is_good[::-1], axis=0)
-        return np.where(full < 0, full, coarsest).astype(np.int32)
+        return np.where(level_or_hidden < 0, level_or_hidden, coarsest).astype(np.int32)
 
     def by_greedy_error(self, budget: int) -> Levels:
         """Start at the coarsest levels and refine the object whose error covers most pixels while the budget allows."""
-        errors, full = self.case.screen_errors(self.camera), self.case.in_full(self.camera)
-        levels = np.where(full < 0, full, np.isfinite(errors).sum(axis=0) - 1).astype(np.int32)
+        errors, level_or_hidden = self.case.screen_errors(self.camera), self.case.full_levels(self.camera)
+        levels = np.where(level_or_hidden < 0, level_or_hidden, np.isfinite(errors).sum(axis=0) - 1).astype(np.int32)
         models, index = self.case.models, self.case.crowd.model_index
         remaining = budget - self.case.triangles(levels)
         error = np.where(levels > 0, errors[np.maximum(levels, 0), np.arange(len(levels))], -np.inf)
@@ -136,14 +137,15 @@ def at_equal_mean(views: Sequence[View], budgets: Sequence[int], mean: float) ->
 
 
 def coarsest(view: View) -> Levels:
-    full, last = view.case.in_full(view.camera), np.array([len(model) - 1 for model in view.case.models])
-    return np.where(full < 0, full, last[view.case.crowd.model_index]).astype(np.int32)
+    level_or_hidden = view.case.full_levels(view.camera)
+    last = np.array([len(model) - 1 for model in view.case.models])
+    return np.where(level_or_hidden < 0, level_or_hidden, last[view.case.crowd.model_index]).astype(np.int32)
 
 
 def report(headset: Headset, *, quick: bool) -> str:
     """Table by rule: its mean score, our mean with as many triangles, and our triangles at an equal mean."""
     models = measure_objects(RIFT_S, step=None, wider=2)
-    cases = [Case.in_ball(models, headset, *scene) for scene in (SCENES[:1] if quick else SCENES)]
+    cases = [Case.in_sphere(models, headset, *scene) for scene in (SCENES[:1] if quick else SCENES)]
     views = [View(case, number) for case in cases for number in range(len(case.cameras))]
     rows = []
     for pixels in PIXELS:

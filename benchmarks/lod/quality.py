@@ -104,7 +104,7 @@ def report(headset: Headset, *, quick: bool) -> str:
     """Table of each mode, with curves of the published percentile and of the greatest percentile that keeps `KEPT`."""
     models = measure_objects(headset, views=VIEWS if quick else ALL_VIEWS)
     scenes, turns = (SCENES[:1], 4) if quick else (SCENES, TURNS)
-    cases = [Case.in_ball(models, headset, *scene, turns=turns) for scene in scenes]
+    cases = [Case.in_sphere(models, headset, *scene, turns=turns) for scene in scenes]
     rows = []
     for mode in MODES:
         trial = functools.cache(lambda each, mode=mode: appearances(cases, [one.refit(each) for one in models], mode))

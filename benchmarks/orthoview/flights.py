@@ -182,7 +182,7 @@ def measured(tree: nf.orthoview.OrthoTree, out: Path | None) -> str:
                 for number in itertools.count(1):
                     own.look(camera)
                     plan = own._pilot.plan(own._has)
-                    if not plan.unread[0] and all(map(own._has, plan.order)):
+                    if not plan.unknown[0] and all(map(own._has, plan.order)):
                         break
                     time.sleep(max(begin + number / RATE - time.monotonic(), 0.0))
                 seconds, requests = time.monotonic() - begin, line.requests - opening

@@ -1,10 +1,11 @@
-"""Pictures of trees against ray-traced truth: losses by directions and views.
+"""Renderings of orthoview octrees against ray-traced truth: losses by the numbers of directions and views.
 
     python -m benchmarks.orthoview.pictures sets sheet wide --tiles FOLDER --out FOLDER
 
-Trees of 26 directions are built once and stored in --trees; those of fewer directions are their first views. The
-table gives the mean of two places on the ground and of two in the air. Without --tiles, Tokyo is
-another part of the city, its core, which is in one file.
+Octrees of 26 directions are built once and stored in --trees; octrees of fewer directions use the first of these. A
+cell has a view from each direction; only those nearest to the viewer's direction are drawn. The table gives the mean of
+two places on the ground and of two in the air. Without --tiles, Tokyo is another part of the city, its core, which is
+in one file.
 """
 
 from __future__ import annotations
@@ -23,14 +24,16 @@ from benchmarks.orthoview import _sheets
 from benchmarks.orthoview._quality import Truth, compare, mean, render
 from benchmarks.orthoview._worlds import ALL, PICTURE, SIZE, World, forest, landscape, open_tree, tokyo
 
-SETS = (5, 9, 13, 26)
+DIRECTION_COUNTS = (5, 9, 13, 26)
+"""Numbers of directions of an octree."""
 VIEWS = (2, 3, 5)
+"""Numbers of views that are drawn for each cell."""
 DIRECTIONS = 9
 """Number of directions in the drawn pictures."""
 WORLDS = ("Tokyo", "forest", "landscape")
 QUALITY = (
-    "PSNR, dB {:.1f} | SSIM {:.3f} | holes, % {:.2f} | inner holes, % {:.2f} | too far, % {:.2f}"
-    " | inner too far, % {:.2f} | too near, % {:.2f} | false, % {:.2f} | leaves {:.0f}"
+    "PSNR, dB {:.1f} | SSIM {:.3f} | holes, % {:.2f} | holes off edges, % {:.2f} | too far, % {:.2f}"
+    " | too far off edges, % {:.2f} | too near, % {:.2f} | surface instead of sky, % {:.2f} | leaves {:.0f}"
 )
 """Columns of a `Quality`."""
 
@@ -60,10 +63,10 @@ def by_sets(worlds: list[World], trees: Path, out: Path | None) -> None:
     rows = []
     for world in worlds:
         path = world.build(trees)
-        trees_by_count = {count: open_tree(path, count) for count in SETS}
+        trees_by_count = {count: open_tree(path, count) for count in DIRECTION_COUNTS}
         for place, cameras in places(world):
             true_pictures = [Truth(world, camera, trees_by_count[ALL].bounds) for camera in cameras]
-            for count, views in itertools.product(SETS, VIEWS):
+            for count, views in itertools.product(DIRECTION_COUNTS, VIEWS):
                 quality = mean([compare(truth, trees_by_count[count], views) for truth in true_pictures])
                 rows.append([place, count, views, *astuple(quality)])
                 print(rows[-1], file=sys.stderr, flush=True)

@@ -17,7 +17,7 @@ from nearfar import _core
 from nearfar._scene.gltf.buffers import COMPONENTS, WIDTHS
 
 MAX_SECONDS = 3.0
-"""A load starts only if the previous ones took less than this, seconds."""
+"""A load starts only if the previous ones took less than this together, seconds."""
 
 
 def _trimesh(path: Path) -> Any:

@@ -1,4 +1,7 @@
-"""Tessellation for the growth of a cylinder morph: triangles, and the greatest error as a share of the tolerance."""
+"""Tessellation for the growth of a cylinder morph: triangles, and the greatest error as a share of the tolerance.
+
+After a ring has arrived, the outer radius R of the morph, or for ring 1 its strength, grows (docs/stream.md).
+"""
 
 from __future__ import annotations
 
@@ -17,7 +20,7 @@ from tests.support.tessellate_cases import VIEW, ground
 
 NEAR, REACH, TOLERANCE = 0.7, 1.0, 4.0
 """r₁ as a share of R = r₂; greatest distance of users from the centre, metres; tolerance in pixels of `VIEW`."""
-STAGES = {"10 m, all strengths": (10.0, 10.0, 0.0), "10 to 14 m": (10.0, 14.0, 1.0), "22 to 32 m": (22.0, 32.0, 1.0)}
+GROWTHS = {"10 m, all strengths": (10.0, 10.0, 0.0), "10 to 14 m": (10.0, 14.0, 1.0), "22 to 32 m": (22.0, 32.0, 1.0)}
 """Least and greatest R to which the morph grows, metres; least strength."""
 EXEMPT = 2.6 * REACH
 """Distance from the axis within which no error bound holds while the strength is below 1, metres."""
@@ -38,9 +41,9 @@ def surfaces() -> dict[str, trimesh.Trimesh]:
     return {"ground, 200 m wide": ground(100.0), **walls, "roof 4 to 12 m above the eye": roof}
 
 
-def greatest_error(triangles: Array, stages: tuple[float, float, float]) -> float:
+def greatest_error(triangles: Array, growth: tuple[float, float, float]) -> float:
     """Greatest error in pixels at ten points of each triangle, for 40 users, most of them at `REACH`, and several R."""
-    least, greatest, weakest = stages
+    least, greatest, weakest = growth
     random = np.random.default_rng(1)
     weights = np.concatenate([(1 - np.eye(3)) / 2, np.full((1, 3), 1 / 3), random.dirichlet(np.ones(3), 6)])
     error = 0.0
@@ -55,8 +58,8 @@ def greatest_error(triangles: Array, stages: tuple[float, float, float]) -> floa
     return error / PIXEL
 
 
-def rows_of(stages: tuple[float, float, float]) -> list[list[object]]:
-    least, greatest, weakest = stages
+def rows_of(growth: tuple[float, float, float]) -> list[list[object]]:
+    least, greatest, weakest = growth
     rows: list[list[object]] = []
     for name, mesh in surfaces().items():
         settings: dict[str, Any] = {"center": CENTER, "r1": NEAR * greatest, "r2": greatest, "user_region": REACH}
@@ -65,7 +68,7 @@ def rows_of(stages: tuple[float, float, float]) -> list[list[object]]:
         triangles = np.asarray(job().triangles)
         rho = np.hypot(*np.moveaxis((triangles - CENTER)[..., [0, 2]], -1, 0))
         has_bound = (rho > EXEMPT).all(axis=1) | (weakest >= 1.0)
-        error = greatest_error(triangles[has_bound], stages)
+        error = greatest_error(triangles[has_bound], growth)
         rows.append([name, len(triangles), error, error / TOLERANCE, best(job, repeat=1).wall])
     return rows
 
@@ -73,9 +76,9 @@ def rows_of(stages: tuple[float, float, float]) -> list[list[object]]:
 def main() -> None:
     start(__doc__)
     header = "surface | triangles {:,} | greatest error, px {:.2f} | of the bound {:.2f} | s {:.2f}"
-    for name, stages in STAGES.items():
+    for name, growth in GROWTHS.items():
         title = f"Two triangles split for R of {name}, users within {REACH:g} m, to {TOLERANCE:g} px"
-        print(table(title, header, rows_of(stages)))
+        print(table(title, header, rows_of(growth)))
 
 
 if __name__ == "__main__":

@@ -106,7 +106,7 @@ def scenes_by_tolerance(quick: bool) -> str:
         eyes = users(center, 4 if quick else 12)
         before = misses(touching(scene, center), center, eyes).max()
         rows.append([name, "none", scene.triangle_count, None, None, f"{before:.1f}", None])
-        settings: dict[str, Any] = {"center": tuple(center), "radii": (R1, R2), "stages": None, "reach": REACH}
+        settings: dict[str, Any] = {"center": tuple(center), "radii": (R1, R2), "grown": None, "reach": REACH}
         for pixels in TOLERANCES:
             job = partial(nf._core.tessellate_scene, scene._core, settings | {"tolerance": pixels * PIXEL})
             split, counts = job()

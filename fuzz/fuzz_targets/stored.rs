@@ -1,4 +1,5 @@
-//! Any table of rows over any bytes: it is refused, or its meshes that are fit join to one with faces between its vertices.
+//! Reads arbitrary tables of rows over arbitrary bytes. A table must be refused, or its usable meshes must join to one mesh
+//! whose faces lie between its vertices.
 
 #![no_main]
 
@@ -6,7 +7,7 @@ use arbitrary::Arbitrary;
 use glam::DAffine3;
 use libfuzzer_sys::fuzz_target;
 use nearfar_core::base::Progress;
-use nearfar_core::scene::stored::{Attributes, Number, Rows, StoredFaces, StoredMeshes, StoredPart};
+use nearfar_core::scene::stored::{Attributes, ComponentType, Rows, StoredFaces, StoredMeshes, StoredPart};
 
 #[derive(Arbitrary, Debug)]
 struct Input {
@@ -18,8 +19,8 @@ struct Input {
     factor: f64,
 }
 
-fn number(code: u8) -> Number {
-    [Number::I8, Number::U8, Number::I16, Number::U16, Number::U32, Number::F32][usize::from(code) % 6]
+fn component(code: u8) -> ComponentType {
+    [ComponentType::I8, ComponentType::U8, ComponentType::I16, ComponentType::U16, ComponentType::U32, ComponentType::F32][usize::from(code) % 6]
 }
 
 fn rows_of(input: &Input) -> Vec<Rows> {
@@ -29,7 +30,7 @@ fn rows_of(input: &Input) -> Vec<Rows> {
         step: step.into(),
         count: count.into(),
         width: usize::from(width % 5),
-        number: number(code),
+        component: component(code),
         is_fraction,
     });
     let wild = input.wild.iter().map(|&(block, start, step, count, code)| Rows {
@@ -38,7 +39,7 @@ fn rows_of(input: &Input) -> Vec<Rows> {
         step,
         count,
         width: 3,
-        number: number(code),
+        component: component(code),
         is_fraction: false,
     });
     near.chain(wild).collect()
@@ -64,17 +65,17 @@ fuzz_target!(|input: Input| {
     let progress = Progress::new();
     let rows = rows_of(&input);
     let Ok(stored) = StoredMeshes::new(vec![input.bytes.into()], rows, &faces, &progress) else { return };
-    let fit: Vec<usize> = (0..stored.len()).filter(|&mesh| stored.is_fit(mesh)).collect();
+    let usable: Vec<usize> = (0..stored.len()).filter(|&mesh| stored.is_usable(mesh)).collect();
     assert_eq!(stored.see_through().len(), faces.len());
     let boxes = stored.face_bounds(&progress).unwrap();
     let parts: Vec<StoredPart> =
-        fit.iter().map(|&mesh| StoredPart { mesh, to_scene: DAffine3::IDENTITY, object: 0 }).collect();
+        usable.iter().map(|&mesh| StoredPart { mesh, to_scene: DAffine3::IDENTITY, object: 0 }).collect();
     let joined = stored.join(&parts, &progress).unwrap();
-    let counts = |of: &dyn Fn(usize) -> usize| fit.iter().map(|&mesh| of(mesh)).sum::<usize>();
+    let counts = |of: &dyn Fn(usize) -> usize| usable.iter().map(|&mesh| of(mesh)).sum::<usize>();
     assert_eq!(joined.faces.len(), counts(&|mesh| stored.face_count(mesh)));
     assert_eq!(joined.positions.len(), counts(&|mesh| stored.vertex_count(mesh)));
     assert!(joined.faces.as_flattened().iter().all(|&vertex| (vertex as usize) < joined.positions.len()));
-    for &mesh in &fit {
+    for &mesh in &usable {
         let alone = stored.mesh(mesh, &progress).unwrap().bounds();
         assert_eq!([alone.min, alone.max].map(|corner| corner.as_dvec3().to_array()), boxes[mesh]);
     }

@@ -1,4 +1,4 @@
-//! Any bytes as geometries in WKB: an error, or outlines that fit together and take no more memory than the bytes.
+//! Reads arbitrary bytes as WKB, which must give an error, or consistent outlines that take no more memory than the bytes.
 
 #![no_main]
 
@@ -13,6 +13,6 @@ fuzz_target!(|bytes: &[u8]| {
     assert!(found.points.len() * 16 <= bytes.len());
     assert!((found.rings.len() + found.polygons.len()) * 4 <= bytes.len() + 8);
     assert_eq!(found.rows.len(), offsets.len());
-    let is_finite = found.points.as_flattened().iter().all(|value| value.abs() <= 1e30);
-    assert_eq!(Polygons::new(&found.points, &found.rings, &found.polygons).is_ok(), is_finite);
+    let is_in_range = found.points.as_flattened().iter().all(|value| value.abs() <= 1e30);
+    assert_eq!(Polygons::new(&found.points, &found.rings, &found.polygons).is_ok(), is_in_range);
 });

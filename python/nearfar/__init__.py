@@ -14,5 +14,5 @@ def _make_view(*shown, **settings):
     return Widget(*shown, **settings)
 
 
-# Early stages show results in the widget of a later stage, which only the package may import.
+# Early stages show results in the widget of the stage view. They may not import it, so it is set here.
 _showing.set_maker(_make_view)

@@ -79,7 +79,7 @@ def tessellate(
     settings: dict[str, Any] = {
         "center": origin,
         "radii": radii,
-        "stages": _stages(kind, radii[1], radius, strength),
+        "grown": _grown(kind, radii[1], radius, strength),
         "reach": _reach(user_region, origin),
         "tolerance": check.positive("tolerance_px", tolerance_px) * _pixel_angle(camera),
     }
@@ -90,8 +90,8 @@ def tessellate(
     return _tessellate_trimesh(mesh, settings)
 
 
-def _stages(kind: str, r2: float, radius: float | None, strength: float) -> tuple[float, bool] | None:
-    """Return the least radius of a growing morph, and whether its strength is full; None for a blend."""
+def _grown(kind: str, r2: float, radius: float | None, strength: float) -> tuple[float, bool] | None:
+    """Return the least radius of a growing morph, and whether its strength is always 1; None for a blend."""
     check.choice("kind", kind, ("blend", "cylinder"))
     least_strength = check.in_range("strength", strength, 0.0, 1.0)
     least_radius = r2 if radius is None else check.in_range("radius", check.positive("radius", radius), 0.0, r2)

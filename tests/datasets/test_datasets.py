@@ -23,8 +23,8 @@ from nearfar.datasets import (
     _vehicles,
 )
 from nearfar.datasets._buildings import Kind, building
-from nearfar.datasets._draw import Draw, turn
 from nearfar.datasets._layout import Grid, plots
+from nearfar.datasets._random import RandomStream, turn
 from nearfar.datasets._shapes import Soup, weld
 from tests.support.solids import areas, count_covered, digest, lone_edges, volume
 
@@ -39,11 +39,11 @@ def test_turn_matches_the_library_within_rounding() -> None:
 
 
 def test_draws_depend_on_names_and_counters_only() -> None:
-    whole = Draw(5, 1, 2).uniform(10)
-    split = Draw(5, 1, 2)
+    whole = RandomStream(5, 1, 2).uniform(10)
+    split = RandomStream(5, 1, 2)
     np.testing.assert_array_equal(whole, np.concatenate([split.uniform(3), split.uniform(7)]))
-    assert not np.array_equal(whole, Draw(5, 2, 1).uniform(10))
-    assert 0 <= Draw(0, 0).integers(1000, 7).min() <= Draw(0, 0).integers(1000, 7).max() == 6
+    assert not np.array_equal(whole, RandomStream(5, 2, 1).uniform(10))
+    assert 0 <= RandomStream(0, 0).integers(1000, 7).min() <= RandomStream(0, 0).integers(1000, 7).max() == 6
 
 
 @given(st.lists(st.tuples(*[st.integers(-2, 2)] * 9), min_size=1, max_size=30), st.booleans())

@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar import datasets
-from nearfar.datasets._draw import Draw
 from nearfar.datasets._factory import (
     forklifts,
     gangway,
@@ -26,6 +25,7 @@ from nearfar.datasets._factory import (
     tanks,
 )
 from nearfar.datasets._palette import material
+from nearfar.datasets._random import RandomStream
 from nearfar.datasets._shapes import Soup, weld
 from nearfar.datasets._stage import Stage
 from tests.support.solids import areas, count_covered, digest, lone_edges, volume
@@ -239,7 +239,7 @@ def test_the_near_zone_has_the_size_of_the_published_scene() -> None:
 
 def test_loads_rest_on_their_pallets() -> None:
     for seed in range(8):
-        corners = storage.pallet(Draw(seed, 1), 2).corners
+        corners = storage.pallet(RandomStream(seed, 1), 2).corners
         assert np.abs(corners[..., 0]).max() < 0.62
         assert np.abs(corners[..., 2]).max() < 0.48
         assert corners[..., 1].min() == 0.0

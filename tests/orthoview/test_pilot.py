@@ -103,13 +103,13 @@ def test_plans_look_ahead(tree: Tree) -> None:
     """Parts all around here and ahead follow those of the picture; a margin excludes parts behind."""
     camera = camera_at((3, 5, 30))
     orders = {}
-    for name, ahead in {
+    for name, settings in {
         "no": PrefetchSettings(prefetch=False),
         "some": PrefetchSettings(),
         "all": PrefetchSettings(margin=None),
     }.items():
         pilot = pilot_of(tree)
-        pilot._ahead = ahead
+        pilot._prefetch_settings = settings
         pilot.look(camera, 0.0)
         orders[name] = pilot.plan(nothing).order
         assert len(set(orders[name])) == len(orders[name])

@@ -310,14 +310,14 @@ def test_cells_above_stand_in_for_unknown_ones(wide: Tree) -> None:
     cutter = Cutter(wide._layout, of_subtrees(wide))
     nothing = cutter.cut(camera, Settings(), around=True)
     assert (len(nothing), len(nothing.leaves), nothing.unknown) == (0, 0, [(1, (0, 0, 0))])
-    cutter.learn(1, (0, 0, 0))
+    cutter.read_record(1, (0, 0, 0))
     coarse = cutter.cut(camera, Settings(), around=True)
     assert columns(coarse) == {(3, place) for place in INHABITED}
     assert len(coarse.leaves) == 0
     # The cell in the far corner is fine enough.
     assert sorted(coarse.unknown) == [(0, place) for place in sorted(INHABITED - {(2, 0, 2)})]
     assert coarse.keys()
-    cutter.learn(0, (0, 0, 0))
+    cutter.read_record(0, (0, 0, 0))
     mixed = cutter.cut(camera, Settings(), around=True)
     assert columns(mixed) > columns(coarse) - {(3, (0, 0, 0))}
     assert {(x >> 3, y >> 3, z >> 3) for x, y, z in mixed.leaf_places()} == {(0, 0, 0)}

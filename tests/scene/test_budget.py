@@ -53,9 +53,9 @@ def test_the_limit_follows_the_bytes_read() -> None:
     one.add_read(1 << 30)
     assert one.limit == budgets.MAX
     one = Budget(1000)
-    one.take(600)
+    one.count_unpacked(600)
     with pytest.raises(UnusableError, match="it unpacks to more than 1,000 bytes from 0"):
-        one.take(401)
+        one.count_unpacked(401)
 
 
 def test_small_files_that_expand_to_gigabytes_are_refused(tmp_path: Path) -> None:
@@ -178,6 +178,6 @@ def test_files_are_read_once(tmp_path: Path) -> None:
     files = budgets.resolver(tmp_path / "a.obj", budget)
     for _ in range(1000):
         assert files.get("a.bin") is files.get("a.bin")
-    budget.hold(1000 + budgets.FREE)
+    budget.count_arrays(1000 + budgets.FREE)
     with pytest.raises(UnusableError):
-        budget.hold(1)
+        budget.count_arrays(1)

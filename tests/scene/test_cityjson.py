@@ -94,7 +94,7 @@ def test_levels_are_chosen(tmp_path: Path) -> None:
     assert counts == {None: 12, "2.2": 12, "2": 12, 2: 12, "1.3": 10, "1": 10, 1.2: 10, 0: 2}
     assert "levels of detail 0, 1.2, 2.2: each object is drawn at its highest" in str(load(tmp_path, document).report)
     document["CityObjects"]["b"] = {"type": "Building", "geometry": [solid("3")]}
-    assert "1 object without a level that low left out" in load(tmp_path, document, lod="1").report.notes
+    assert "1 object left out: no level up to the limit" in load(tmp_path, document, lod="1").report.notes
 
 
 def test_parts_replace_their_building(tmp_path: Path) -> None:

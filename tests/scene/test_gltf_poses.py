@@ -94,7 +94,7 @@ def test_normals_turn_with_joints(tmp_path: Path) -> None:
         (FIRST + np.uint8(1), {"joints": [1]}, "a vertex refers to none of the 1 joints of its skin 0"),
         (FIRST.astype(np.float32), {"joints": [1]}, "a vertex refers to none of the 1 joints"),
         (FIRST, {"joints": [9]}, "does not contain"),
-        (FIRST, {"joints": [1], "inverseBindMatrices": 0}, "its skin 0 has 1 joints, and other inverse bind matrices"),
+        (FIRST, {"joints": [1], "inverseBindMatrices": 0}, "its skin 0 has 1 joints, but"),
     ],
 )
 def test_damaged_skins_are_errors(tmp_path: Path, joints: NDArray[Any], skin: dict[str, Any], words: str) -> None:

@@ -60,4 +60,4 @@ def test_info_prints_both(tmp_path: Path, capsys: pytest.CaptureFixture[str]) ->
     (tmp_path / "squares.glb").write_bytes(gltf())
     status, out, _ = command(capsys, "info", "-i", tmp_path / "squares.glb")
     assert status == 0
-    assert out.index("used of the file") < out.index("glTF 2.0") < out.index("not as in the file")
+    assert out.index("parts of the file used") < out.index("glTF 2.0") < out.index("drawn differently")

@@ -14,9 +14,9 @@ from tests.support.tessellate_cases import CENTER, PIXEL, VIEW, Array, ground, o
 NEAR = 0.7
 
 
-def split(mesh: Any, *, r2: float, tolerance_px: float = 8.0, reach: float = 1.0, **stages: Any) -> Any:
+def split(mesh: Any, *, r2: float, tolerance_px: float = 8.0, reach: float = 1.0, **growth: Any) -> Any:
     zones: dict[str, Any] = {"center": CENTER, "r1": NEAR * r2, "r2": r2, "user_region": reach}
-    return nf.tessellate(mesh, **zones, tolerance_px=tolerance_px, camera=VIEW, kind="cylinder", **stages)
+    return nf.tessellate(mesh, **zones, tolerance_px=tolerance_px, camera=VIEW, kind="cylinder", **growth)
 
 
 def cylinder_morph(points: Array, eye: Array, radius: float, strength: float) -> Array:
@@ -35,13 +35,13 @@ def cylinder_morph(points: Array, eye: Array, radius: float, strength: float) ->
     return np.asarray(t[:, None] * d)
 
 
-def greatest_error(triangles: Array, eyes: Array, stages: list[tuple[float, float]], seed: int = 0) -> float:
+def greatest_error(triangles: Array, eyes: Array, morphs: list[tuple[float, float]], seed: int = 0) -> float:
     """Greatest angle between the interpolated morph of corners and the morph of the point, in pixels."""
     weights = np.random.default_rng(seed).dirichlet(np.ones(3), 4)
     weights = np.concatenate([weights, (1 - np.eye(3)) / 2, np.full((1, 3), 1 / 3)])
     points = np.einsum("wk,tkc->twc", weights, triangles).reshape(-1, 3)
     worst = 0.0
-    for eye, (radius, strength) in zip(eyes, stages, strict=True):
+    for eye, (radius, strength) in zip(eyes, morphs, strict=True):
         corners = cylinder_morph(triangles.reshape(-1, 3), eye, radius, strength).reshape(triangles.shape)
         mixed = np.einsum("wk,tkc->twc", weights, corners).reshape(-1, 3)
         exact = cylinder_morph(points, eye, radius, strength)
@@ -59,9 +59,9 @@ def triangles_beyond(triangles: Array, radius: float) -> Array:
 @pytest.mark.parametrize(("least", "r2"), [(12.0, 12.0), (22.0, 32.0)])
 def test_the_error_stays_within_the_tolerance_for_all_radii_of_a_growth(least: float, r2: float) -> None:
     made = triangles_beyond(np.asarray(split(ground(60.0), r2=r2, radius=least, tolerance_px=16.0).triangles), 2.0)
-    stages = [(radius, 1.0) for radius in np.linspace(least, r2, 12)]
-    before = greatest_error(triangles_beyond(np.asarray(ground(60.0).triangles), 2.0), users(1.0, 12, 0), stages)
-    after = greatest_error(made, users(1.0, 12, 1), stages)
+    morphs = [(radius, 1.0) for radius in np.linspace(least, r2, 12)]
+    before = greatest_error(triangles_beyond(np.asarray(ground(60.0).triangles), 2.0), users(1.0, 12, 0), morphs)
+    after = greatest_error(made, users(1.0, 12, 1), morphs)
     assert before > 40
     # The bound covers all heights, directions and radii at once; on the ground the error is a small part of it.
     assert 0.02 * 16.0 < after <= 16.0
@@ -69,10 +69,10 @@ def test_the_error_stays_within_the_tolerance_for_all_radii_of_a_growth(least: f
 
 def test_the_error_stays_within_the_tolerance_for_all_strengths() -> None:
     made = split(ground(30.0), r2=10.0, tolerance_px=16.0, reach=0.5, strength=0.0)
-    stages = [(10.0, strength) for strength in np.linspace(0.05, 1.0, 12)]
+    morphs = [(10.0, strength) for strength in np.linspace(0.05, 1.0, 12)]
     triangles = triangles_beyond(np.asarray(made.triangles), 2.6 * 0.5)
     assert len(triangles) > 0.3 * len(made.faces)
-    assert 0.02 * 16.0 < greatest_error(triangles, users(0.5, 12, 1), stages) <= 16.0
+    assert 0.02 * 16.0 < greatest_error(triangles, users(0.5, 12, 1), morphs) <= 16.0
 
 
 def test_there_are_no_cracks_and_unsplit_triangles_keep_their_bits() -> None:

@@ -163,7 +163,7 @@ test('leaves in the picture are not evicted, even beyond the limit', () => {
     },
     isDone: true,
     finish: async () => undefined,
-    unhidden: null,
+    drawnSplats: null,
   };
   const resident = createResidentTree(layout, drawer, 4 * 2500);
   const leaf = (x: number): Triple => [x, 0, 0];

@@ -64,7 +64,7 @@ async function completeCut(
   { camera, views, error, around, geometry, lift }: Case,
 ): Promise<Cut> {
   for (;;) {
-    const found = cut(cells, camera, { views, error, includesOutside: around, geometry, lift });
+    const found = cut(cells, camera, { views, error, includesOutside: around, geometry, raiseDegrees: lift });
     for (const { tier, place } of found.unknown) {
       const subtree = await records.subtree(tier, place);
       cells.add(subtree);
@@ -100,7 +100,7 @@ async function checkCuts(store: Store, cases: readonly Case[]): Promise<void> {
     found.leaves.forEach(({ distance }, at) =>
       assert.ok(Math.abs(distance - (leaves[at]?.[1] as number)) < 1e-9 * (1 + distance)),
     );
-    const needed = found.leaves.flatMap(({ place }) => [place, ...store.cells.guestsOf(place)].map(String));
+    const needed = found.leaves.flatMap(({ place }) => [place, ...store.cells.leavesReachingInto(place)].map(String));
     assert.deepEqual([...new Set(needed)].sort(), files.map(String).sort());
   }
 }

@@ -78,6 +78,7 @@ test('only the first UDP host candidates of a description are used, at most eigh
   const others = [line(50, 'tcp', 'host'), line(51, 'udp', 'srflx raddr 10.0.0.1 rport 9'), ' ' + line(52, 'udp', 'host')];
   const sdp = SDP + others.join('') + hosts.join('') + 'a=end\r\n';
   const read = readSignal(writeSignal({ kind: 'offer', attempt: 1, sdp }));
+  // `SDP` itself has the first of the eight.
   assert.equal(read.sdp, SDP + hosts.slice(0, 7).join('') + 'a=end\r\n');
 });
 

@@ -61,7 +61,7 @@ class Shot(Sampling):
     bare: bool = False
     """Whether samples that hit no triangle are black instead of showing the sky or a map."""
     occlusion: bool = True
-    """Whether graphics adapters cull geometry that is completely hidden by pixels that `mask` excludes."""
+    """Whether graphics adapters also cull geometry that projects only to pixels that `mask` excludes."""
     instances: NDArray[np.bool_] | None = field(default=None, compare=False)
     """(N,), whether the pictures may show each instance of a scene, static instances first. If known, graphics adapters
     need not cull them; None if unknown."""

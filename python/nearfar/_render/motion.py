@@ -14,12 +14,12 @@ from nearfar._render.renderable import Renderable
 
 
 @dataclass(frozen=True)
-class Sight:
-    """Camera, posed source and user of a picture."""
+class Viewpoint:
+    """Camera, posed scene and user of a picture."""
 
     camera: Camera
-    source: Renderable
-    """The source in its pose."""
+    renderable: Renderable
+    """What is drawn, in its pose."""
     user: tuple[float, float, float]
     """World position of the user, metres."""
 
@@ -30,7 +30,9 @@ _ROWS = 64
 """Rows of pixels processed at once."""
 
 
-def motion(frame: Frame, now: Sight, before: Sight, mask: NDArray[np.bool_] | None = None) -> NDArray[np.float32]:
+def motion(
+    frame: Frame, now: Viewpoint, before: Viewpoint, mask: NDArray[np.bool_] | None = None
+) -> NDArray[np.float32]:
     """Compute the motion (H, W, 2) of a frame, which has positions, and object numbers if objects can move.
 
     Pixels without a known point count as infinitely far: they move only with the camera's rotation. NaN where a point
@@ -38,7 +40,7 @@ def motion(frame: Frame, now: Sight, before: Sight, mask: NDArray[np.bool_] | No
     """
     width, height = frame.camera.size
     starts, directions = frame.camera.rays()
-    steps = _steps_since(now.source, before.source)
+    steps = _steps_since(now.renderable, before.renderable)
     motions = np.full((height, width, 2), np.nan, np.float32)
     for top in range(0, height, _ROWS):
         rows = slice(top, min(top + _ROWS, height))
@@ -53,7 +55,7 @@ def motion(frame: Frame, now: Sight, before: Sight, mask: NDArray[np.bool_] | No
         displayed = np.array(before.camera.position) + _FAR_DISTANCE * direction
         if frame.camera._core.is_parallel or before.camera._core.is_parallel:
             displayed[:] = np.nan
-        displayed[is_known] = before.source.displayed(points[is_known], before.user)
+        displayed[is_known] = before.renderable.displayed(points[is_known], before.user)
         pixels = np.full((len(points), 2), np.nan)
         finite = np.isfinite(displayed).all(axis=1)
         pixels[finite] = before.camera.project(displayed[finite])[:, :2]
@@ -63,18 +65,18 @@ def motion(frame: Frame, now: Sight, before: Sight, mask: NDArray[np.bool_] | No
 
 
 def _move_to_rays(
-    points: NDArray[np.float64], starts: NDArray[np.float64], directions: NDArray[np.float64], now: Sight
+    points: NDArray[np.float64], starts: NDArray[np.float64], directions: NDArray[np.float64], now: Viewpoint
 ) -> NDArray[np.float64]:
     """Move points (N, 3) back onto the rays of their pixels, which float32 rounding made them leave."""
-    displayed = now.source.displayed(points, now.user)
+    displayed = now.renderable.displayed(points, now.user)
     distances = ((displayed - starts) * directions).sum(axis=1, keepdims=True)
     return np.asarray(points + (starts + distances * directions - displayed))
 
 
-def _steps_since(source: Renderable, earlier: Renderable) -> dict[int, NDArray[np.float64]]:
+def _steps_since(now: Renderable, earlier: Renderable) -> dict[int, NDArray[np.float64]]:
     """Return matrices (4, 4) from the present to the earlier pose of each object that moved, by number."""
-    poses, earlier_poses = (check.mapping("poses", posed.poses, "matrices by name") for posed in (source, earlier))
-    names = check.texts("object_names", source.object_names)
+    poses, earlier_poses = (check.mapping("poses", posed.poses, "matrices by name") for posed in (now, earlier))
+    names = check.texts("object_names", now.object_names)
     return {
         names.index(name): earlier_poses[name] @ np.linalg.inv(pose)
         for name, pose in poses.items()

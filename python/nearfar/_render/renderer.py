@@ -15,7 +15,7 @@ from nearfar._render import backend as backends
 from nearfar._render.channels import BYTES, channel_names
 from nearfar._render.frame import Frame
 from nearfar._render.level_choice import Draws, LevelChoice
-from nearfar._render.motion import Sight, motion
+from nearfar._render.motion import Viewpoint, motion
 from nearfar._render.renderable import Images, Job, Renderable, Report, check_renderable
 from nearfar._render.settings import RenderSettings
 from nearfar._scene.levels import Shown
@@ -57,13 +57,13 @@ class View:
             return frames
         return [self._with_motion(number, frame) for number, frame in enumerate(frames)]
 
-    def sight(self, number: int) -> Sight:
+    def viewpoint(self, number: int) -> Viewpoint:
         """Return camera, source and user of one of the pictures."""
         camera = self.shot.cameras[number]
-        return Sight(camera, self.drawn, camera.position if self.shot.user is None else self.shot.user)
+        return Viewpoint(camera, self.drawn, camera.position if self.shot.user is None else self.shot.user)
 
     def _with_motion(self, number: int, frame: Frame) -> Frame:
-        now, before = (view.sight(number) for view in (self, self if self.before is None else self.before))
+        now, before = (view.viewpoint(number) for view in (self, self if self.before is None else self.before))
         motions = motion(frame, now, before)
         position, object_id = (getattr(frame, name) if name in self.channels else None for name in NEEDED_BY_MOTION)
         return replace(frame, motion=motions, position=position, object_id=object_id)

@@ -226,7 +226,7 @@ class Assembly:
         # The appended entry, index −1, is for meshes with `face_object`.
         merges = instances.merges(np.append(moves, False)[instances.object], names)
         if budget is not None:
-            budget.take(instances.copied_bytes(merges, self._meshes))
+            budget.count_unpacked(instances.copied_bytes(merges, self._meshes))
         origin = instances.origin(self._meshes) if origin is None else origin
         core = core_scene(instances, merges, origin, self._meshes, self._materials.arguments())
         undrawn = self._materials.undrawn

@@ -36,7 +36,7 @@ class Budget:
     """
 
     def __init__(self, max_bytes: int | None = None) -> None:
-        self._max_bytes, self._read_bytes, self._taken_bytes, self._held_bytes = max_bytes, 0, 0, 0
+        self._max_bytes, self._read_bytes, self._unpacked_bytes, self._array_bytes = max_bytes, 0, 0, 0
 
     @property
     def limit(self) -> int:
@@ -47,18 +47,18 @@ class Budget:
         """Count bytes that were read from files."""
         self._read_bytes += size
 
-    def take(self, size: int) -> None:
+    def count_unpacked(self, size: int) -> None:
         """Count bytes before they are unpacked; TooLargeError above the limit."""
-        self._taken_bytes += size
+        self._unpacked_bytes += size
         self._check()
 
-    def hold(self, size: int) -> None:
+    def count_arrays(self, size: int) -> None:
         """Count bytes of arrays before they are created; only those beyond the bytes read count towards the limit."""
-        self._held_bytes += size
+        self._array_bytes += size
         self._check()
 
     def _check(self) -> None:
-        if self._taken_bytes + max(0, self._held_bytes - self._read_bytes) > self.limit:
+        if self._unpacked_bytes + max(0, self._array_bytes - self._read_bytes) > self.limit:
             more = f"{self.limit:,} bytes from {self._read_bytes:,}; max_bytes allows more"
             raise TooLargeError(f"it unpacks to more than {more}")
 
@@ -67,7 +67,7 @@ class Budget:
         blocks: list[bytes] = []
         with gzip.GzipFile(fileobj=io.BytesIO(data)) as file:
             while block := file.read(_BLOCK_BYTES):
-                self.take(len(block))
+                self.count_unpacked(len(block))
                 blocks.append(block)
         return b"".join(blocks)
 
@@ -75,12 +75,12 @@ class Budget:
         """Unpack gzip data within the budget; return other data as they are."""
         return self.unpacked(data) if data.startswith(_GZIP) else data
 
-    def take_members(self, data: bytes) -> None:
+    def count_members(self, data: bytes) -> None:
         """Count the unpacked sizes that a ZIP archive such as a 3MF states; `zipfile` never unpacks more."""
         if data.startswith(b"PK"):
             try:
                 with zipfile.ZipFile(io.BytesIO(data)) as archive:
-                    self.take(sum(member.file_size for member in archive.infolist()))
+                    self.count_unpacked(sum(member.file_size for member in archive.infolist()))
             except zipfile.BadZipFile:
                 return
 

@@ -232,7 +232,7 @@ def _check_model(argument: str, model: object) -> None:
         raise ValueError(f"{argument}: expected geometry of {len(model)} levels, got {len(model.levels)}")
 
 
-def kept_of(models: Iterable[Any], scene: Any = None) -> dict[str, Any]:
+def notes_of(models: Iterable[Any], scene: Any = None) -> dict[str, Any]:
     """Merge notes and undrawn materials of a scene and of models' levels, as arguments of `Scene`."""
     levels = (level.scene for model in models for level in model.levels)
     scenes = [*levels] if scene is None else [scene, *levels]

@@ -81,7 +81,7 @@ def _read(path: Path, data: bytes, options: LoadOptions, budget: Budget) -> Cont
         raise UnusableError(f"the kind of file '{ending}' is not known; nearfar reads {', '.join(sorted(readable))}")
     if not data:
         raise UnusableError("it is empty")
-    budget.take_members(data)
+    budget.count_members(data)
     if kind == "3mf" and data.startswith(b"PK"):
         _check_3mf_instances(data, budget)
     resolver, materials = budget_resolver(path, budget), Materials(budget)
@@ -153,7 +153,7 @@ def _check_3mf_instances(data: bytes, budget: Budget) -> None:
                     components.setdefault(object_id, []).append(element.get("objectid", ""))
                 else:
                     items.append(element.get("objectid", ""))
-    budget.take(_INSTANCE_BYTES * sum(_instances(components, items)))
+    budget.count_unpacked(_INSTANCE_BYTES * sum(_instances(components, items)))
 
 
 def _instances(components: Mapping[str, Sequence[str]], items: Sequence[str]) -> list[int]:

@@ -45,7 +45,7 @@ def read(label: str, data: bytes, resolver: Any, materials: Materials, budget: B
         [names[number] for number in (owner, material if len(library) > 1 else None) if number is not None]
         for owner, material, _, _ in parts
     ]
-    budget.hold(sum(len(word) for part_words in words for word in part_words))
+    budget.count_arrays(sum(len(word) for part_words in words for word in part_words))
     objects = distinct(["_".join(filter(None, part_words)) or resolver.file_name for part_words in words])
     shapes = {}
     for name, (_, material, rows, faces) in zip(objects, parts, strict=True):

@@ -268,7 +268,7 @@ class Materials:
         new = [image for key, image in {id(image): image for image in images}.items() if key not in self._images]
         for image in new:
             if self._budget is not None and image.size[0] * image.size[1] <= MAX_TEXELS:
-                self._budget.take(4 * image.size[0] * image.size[1])
+                self._budget.count_unpacked(4 * image.size[0] * image.size[1])
         decoded: Iterable[NDArray[np.uint8] | None] = map(_decode, new)
         if len(new) > 1:
             from nearfar._base import side_by_side  # imported here: its threads import `logging`

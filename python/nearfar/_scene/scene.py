@@ -15,7 +15,7 @@ from nearfar._base import card, check
 from nearfar._base.settings import gather
 from nearfar._scene import preview
 from nearfar._scene.assembly import one_mesh
-from nearfar._scene.levels import Leveled, LevelTable, check_levels, kept_of, levels_of, with_levels
+from nearfar._scene.levels import Leveled, LevelTable, check_levels, levels_of, notes_of, with_levels
 from nearfar._scene.names import Names, names_of
 from nearfar._scene.options import Blend, LoadKeywords, LoadOptions, OnInvalid, Up
 from nearfar._scene.parts import PartsMixin, RenderMixin
@@ -198,7 +198,7 @@ class Scene(PartsMixin, RenderMixin):
         frames = np.array([self._frame(number) for number in numbers], np.float64).reshape(-1, 4, 4)
         new = check_levels(self._names, numbers, list(models.values()), frames, in_place=True)
         changed = with_levels(self._core, self._load_placements, self._table, len(self._names), new)
-        return self._derived(*changed, **kept_of(new.models, self))
+        return self._derived(*changed, **notes_of(new.models, self))
 
     @cached_property
     def leveled(self) -> Leveled | None:

@@ -25,14 +25,14 @@ def bake(
     with_ids: bool = flag("--object-id", "Bake object numbers too."),
     equirectangular: Path | None = option(None, "FILE", "Also write the equirectangular map, .exr or .png."),
     backend: options.Backend = None,
-    file: SceneOptions,
+    scene_options: SceneOptions,
     as_json: options.Json = False,
 ) -> None:
     """Bake the static part of a scene beyond r2 into a cube map seen from the centre."""
     check_target(output, ".exr")
     if equirectangular is not None:
         check_target(equirectangular, ".exr", ".png")
-    loaded = open_scene(scene, file.loading)
+    loaded = open_scene(scene, scene_options.loading)
     viewpoint = choose(loaded, scene, zones.point)
     radii = zones.choose_radii(loaded, viewpoint)
     channels = ("color", *(("range",) if with_range else ()), *(("object_id",) if with_ids else ()))

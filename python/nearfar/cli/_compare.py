@@ -89,7 +89,7 @@ def compare(
     exact: bool = flag("--exact", "Bend a ray for every pixel; trace the far part instead of using the map."),
     limits: _thresholds.LimitOptions,
     backend: options.Backend = None,
-    file: SceneOptions,
+    scene_options: SceneOptions,
     as_json: options.Json = False,
 ) -> None:
     """Compare the conventional and the continuous method, and impostors, with the truth, seen from one eye.
@@ -109,9 +109,9 @@ def compare(
                 saved = open_reduced(scene)
                 quads = saved if isinstance(saved, nf.Impostors) else None
                 saved_reduction = saved.published if isinstance(saved, nf.Impostors) else saved
-                truth_source, full_scene = _viewpoint.open_truth(scene, truth, file.loading)
+                truth_source, full_scene = _viewpoint.open_truth(scene, truth, scene_options.loading)
             else:
-                full_scene = open_scene(scene, file.loading)
+                full_scene = open_scene(scene, scene_options.loading)
         with clock.step("place"):
             viewpoint = _viewpoint.choose(
                 full_scene, truth_source, zones.point if saved_reduction is None else saved_reduction.center

@@ -39,7 +39,7 @@ def cut(
     box: Box = None,
     cell: float | None = option(None, "METRES", "Write tiles of this width; the same call resumes an interrupted one."),
     detail: float = option(0.0, "METRES", "Greatest geometric error; 0 for full detail."),
-    file: FileOptions,
+    scene_options: FileOptions,
 ) -> None:
     """Cut a part out of a world that may be larger than memory: triangles that touch a box, whole."""
     aabb = read_box(box)
@@ -49,7 +49,7 @@ def cut(
         check_folder(output)
     else:
         check_target(output, ".glb")
-    source = open_source(world, file.loading)
+    source = open_source(world, scene_options.loading)
     if isinstance(source, nf.Scene):
         _report(unread_in(None, source))
     if cell is not None:

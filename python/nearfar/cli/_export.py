@@ -14,7 +14,7 @@ from nearfar.cli._output import Clock, bytes_text, count, metres, note_rows, sho
 from nearfar.cli._scenes import SceneOptions, open_scene
 from nearfar.cli._viewpoint import choose
 from nearfar.stream import _store
-from nearfar.stream._manifest import NAME
+from nearfar.stream._manifest import FORMAT
 
 VERSION = 1
 
@@ -86,12 +86,12 @@ def export(
     ),
     regions: RegionOptions,
     content: BundleOptions,
-    file: SceneOptions,
+    scene_options: SceneOptions,
     as_json: options.Json = False,
 ) -> None:
     """Write near geometry in rings about centres, each with a map of the scene beyond it, as files for the web."""
-    _store.check_target(output, f"nearfar.{NAME}")
-    loaded, clock = open_scene(scene, file.loading), Clock()
+    _store.check_target(output, f"nearfar.{FORMAT}")
+    loaded, clock = open_scene(scene, scene_options.loading), Clock()
     with clock.step("export"):
         bundle = nf.stream.export(
             loaded,

@@ -19,7 +19,7 @@ from nearfar.cli._scenes import SceneOptions, is_reduced, open_reduced, open_sce
 
 VERSION = 1
 
-_LABELS = {"notes": "not as in the file", "used": "used of the file"}
+_LABELS = {"notes": "drawn differently", "used": "parts of the file used"}
 """Labels of report fields that differ from their names."""
 
 PREVIEW = (480, 300)
@@ -39,9 +39,11 @@ def info(
     scene: Annotated[str | None, _INPUT] = None,
     gpu: bool = flag("--gpu", "List the graphics adapters, and why any is not used."),
     preview: Path | None = option(
-        None, "FILE", "Also render a small picture of the scene, .png; takes the time of a search tree and a frame."
+        None,
+        "FILE",
+        "Also render a small picture of the scene, .png; this also builds the scene's BVH and renders one frame.",
     ),
-    file: SceneOptions,
+    scene_options: SceneOptions,
     as_json: options.Json = False,
 ) -> None:
     """List what a scene, or a file or folder of nearfar, contains: triangles, parts, extent, settings, unused parts."""
@@ -58,10 +60,10 @@ def info(
         reduced = open_reduced(scene) if is_reduced(scene) else None
         own = None if reduced is not None else _own_files.open_own(scene)
         if own is not None:
-            file.refuse("with a file of nearfar, which is in metres")
+            scene_options.refuse("with a file of nearfar, which is in metres")
             loaded = _own_files.scene_of(own)
         else:
-            loaded = open_scene(scene, file.loading) if reduced is None else reduced.scene
+            loaded = open_scene(scene, scene_options.loading) if reduced is None else reduced.scene
     document = formats.header("info", VERSION) | {"source": scene, "kind": "scene", "seconds": clock.seconds["load"]}
     rows: list[tuple[str, str]] = []
     if loaded is not None:

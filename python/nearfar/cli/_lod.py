@@ -116,12 +116,12 @@ def lod(
     measurement: MeasureOptions,
     switching: SwitchOptions,
     backend: options.Backend = None,
-    file: SceneOptions,
+    scene_options: SceneOptions,
     as_json: options.Json = False,
 ) -> None:
     """Simplify an object, measure the SSIM of each level over its size, and write the model with sizes to switch at."""
     check_target(output, ".glb", ".json")
-    loaded, clock = open_scene(scene, file.loading), Clock()
+    loaded, clock = open_scene(scene, scene_options.loading), Clock()
     device = measurement.device
     with clock.step("simplify"):
         levels = nf.lod.simplify(loaded, name=Path(scene.partition(":")[0]).stem, **simplifier.keywords)

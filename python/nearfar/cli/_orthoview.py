@@ -78,13 +78,13 @@ def build(
     cluster: str | None = option(
         None, "local|ADDRESS", "local for one process per core, or the address of a Dask scheduler, tcp://HOST:PORT."
     ),
-    file: FileOptions,
+    scene_options: FileOptions,
     as_json: options.Json = False,
 ) -> None:
     """Build the tree of a world that may be larger than memory."""
     aabb = None if box is None else read_box(box)
     check_folder(output)
-    source = open_world(world, file.loading)
+    source = open_world(world, scene_options.loading)
     if not (output / DOCUMENT).is_file():
         cell = _announce(source, cell, aabb, views)
     clock = Clock()
@@ -133,13 +133,13 @@ def update(
     store: Store,
     world: World,
     box: str = option(..., "X0,Z0,X1,Z1", "Box that has changed: least x and z and greatest x and z in metres."),
-    file: FileOptions,
+    scene_options: FileOptions,
     as_json: options.Json = False,
 ) -> None:
     """Draw a part of a tree again, from the world as it is now, into a new generation of its store."""
     aabb = read_box(box)
     tree = nf.orthoview.open(store)
-    source = open_world(world, file.loading)
+    source = open_world(world, scene_options.loading)
     clock = Clock()
     with clock.step("update"):
         updated = tree.update(aabb, source)

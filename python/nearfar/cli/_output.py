@@ -74,7 +74,7 @@ def note_rows(document: dict[str, Any]) -> list[tuple[str, str]]:
     notes = document["notes"]
     return [
         *(("note", finding) for finding in document.get("findings", [])),
-        *(("not as in the file" if not number else "", note) for number, note in enumerate(notes)),
+        *(("drawn differently" if not number else "", note) for number, note in enumerate(notes)),
     ]
 
 

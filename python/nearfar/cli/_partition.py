@@ -38,7 +38,7 @@ def partition(
     *,
     scene: options.Input,
     zones: options.ZoneOptions,
-    file: SceneOptions,
+    scene_options: SceneOptions,
     output: Path | None = option(None, "FILE", "Also write the JSON document to a file.", "-o --output"),
     max_triangles: int | None = option(None, "N", "Exit with status 1 if more than N triangles stay geometry."),
     as_json: options.Json = False,
@@ -48,7 +48,7 @@ def partition(
         check.integer("--max-triangles", max_triangles, 0, 2**63 - 1)
     if output:
         check_target(output, ".json")
-    loaded = open_scene(scene, file.loading)
+    loaded = open_scene(scene, scene_options.loading)
     viewpoint = choose(loaded, scene, zones.point)
     document = describe(loaded, scene, viewpoint.eye, zones.choose_radii(loaded, viewpoint))
     if output:

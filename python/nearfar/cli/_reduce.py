@@ -81,7 +81,7 @@ def reduce(
     ),
     picture: options.PictureOptions,
     backend: options.Backend = None,
-    file: SceneOptions,
+    scene_options: SceneOptions,
     as_json: options.Json = False,
 ) -> None:
     """Reduce a scene to light.glb, which engines load, and write a report with pictures.
@@ -91,7 +91,7 @@ def reduce(
     map it has no quads. `nearfar render`, `nearfar compare`, `nearfar.Impostors.load` and `nearfar.ReducedScene.load`
     read it.
     """
-    clock, loading = Clock(), file.loading
+    clock, loading = Clock(), scene_options.loading
     if far.far == "impostors" and zones.r1 is not None:
         raise ValueError("r1: expected none with impostors, which are not morphed; --far map takes it")
     with files.atomic_folder(output, marker="reduced.json") as folder:

@@ -68,7 +68,7 @@ def render(
     headset: HeadsetOptions,
     zones: options.MapOptions,
     backend: options.Backend = None,
-    file: SceneOptions,
+    scene_options: SceneOptions,
     as_json: options.Json = False,
 ) -> None:
     """Render a scene, or a folder that `nearfar reduce` wrote, from one eye to a PNG or EXR file, or for a headset.
@@ -100,7 +100,7 @@ def render(
         method = method or "truth"
         if method == "truth":
             zones.refuse("with --method truth (the default), which shows the full scene")
-        loaded = open_scene(scene, file.loading)
+        loaded = open_scene(scene, scene_options.loading)
     notes = [] if device is None else _stretching(pixels, device)
     is_exr = output.suffix.lower() == ".exr"
     source: nf.Renderable = loaded

@@ -127,15 +127,15 @@ def serve(
     meeting: RoomOptions,
     log: Literal["text", "json", "off"] = choice("text", "Log of answers and warnings, on standard error."),
     regions: _sites.RegionOptions,
-    file: ServedOptions,
+    scene_options: ServedOptions,
     only_check: bool = flag("--check", "Open everything that would be served, also scenes, list it, and exit."),
 ) -> None:
     """Serve scenes to browsers and headsets, with the page that shows them. Ctrl-C ends it."""
     limits = Limits(connections=access.connections, per_client=access.per_client)
     certificate, rooms = encryption.choose(address), meeting.make(sources)
-    sites, scenes = _sites.read(sources, file.loading, regions)
+    sites, scenes = _sites.read(sources, scene_options.loading, regions)
     if not scenes:
-        file.refuse("for bundles and reduced scenes")
+        scene_options.refuse("for bundles and reduced scenes")
         regions.refuse("for bundles and reduced scenes")
     if log != "off" and not only_check:
         begin_log(as_json=log == "json")

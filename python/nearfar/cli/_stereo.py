@@ -103,7 +103,7 @@ def stereo(
     assembly: Assembly = choice("bilinear", "How each eye reads the shared picture."),
     cull: Cull = choice("occlusion", "Which parts of the shared picture are not drawn."),
     backend: options.Backend = None,
-    file: SceneOptions,
+    scene_options: SceneOptions,
     as_json: options.Json = False,
 ) -> None:
     """Render near geometry for each eye of a headset and all else once, and compare with plain stereo."""
@@ -113,7 +113,7 @@ def stereo(
     with files.atomic_folder(output, marker="stereo.json") as folder:
         with clock.step("scene"):
             saved = open_reduced(scene) if is_reduced(scene) else None
-            loaded = open_scene(scene, file.loading) if saved is None else saved.scene
+            loaded = open_scene(scene, scene_options.loading) if saved is None else saved.scene
             source: nf.Renderable = saved or loaded
             head = view.user if saved is None else view.user or saved.center
             viewpoint = _viewpoint.choose(loaded, scene, head)

@@ -12,7 +12,7 @@ from nearfar._base import check
 from nearfar._scene.builder import SceneBuilder
 from nearfar._scene.scene import Scene
 from nearfar.datasets import _rocks as rocks
-from nearfar.datasets._draw import Floats, turn, xyz
+from nearfar.datasets._random import Floats, turn, xyz
 from nearfar.datasets._world.noise import uniform_hash
 
 SHAPES = 16

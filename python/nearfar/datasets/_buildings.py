@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from nearfar.datasets import _roofs as roofs
-from nearfar.datasets._draw import Draw, Floats
 from nearfar.datasets._palette import materials
+from nearfar.datasets._random import Floats, RandomStream
 from nearfar.datasets._shapes import Soup, boxes, join
 from nearfar.datasets._styles import HIGH_STYLES, ROW_STYLES, TOWER_STYLES, Style
 from nearfar.datasets._walls import Paint, walls
@@ -70,17 +70,19 @@ class Tier:
 
 def building(kind: Kind, seed: int, detail: int) -> Soup:
     """Build a building on the ground y = 0 around the y axis, its front towards +z."""
-    draw = Draw(seed, 1, kind.width, kind.depth, kind.form, kind.place, kind.variant)
-    style = draw.pick((ROW_STYLES, ROW_STYLES, HIGH_STYLES, TOWER_STYLES)[kind.form])
+    random = RandomStream(seed, 1, kind.width, kind.depth, kind.form, kind.place, kind.variant)
+    style = random.pick((ROW_STYLES, ROW_STYLES, HIGH_STYLES, TOWER_STYLES)[kind.form])
     low, high = _STOREYS[kind.form]
-    storeys = low + int(draw.integers(1, high - low + 1)[0])
-    shops = kind.form >= 1 or draw.chance(0.3)
-    design = Design(kind, style, Paint.random(style, draw), shops, storeys, detail)
-    return join(soup for tier in _tiers(design, draw) for part in (_walls, _roof) for soup in part(tier, design, draw))
+    storeys = low + int(random.integers(1, high - low + 1)[0])
+    shops = kind.form >= 1 or random.chance(0.3)
+    design = Design(kind, style, Paint.pick(style, random), shops, storeys, detail)
+    return join(
+        soup for tier in _tiers(design, random) for part in (_walls, _roof) for soup in part(tier, design, random)
+    )
 
 
-def _tiers(design: Design, draw: Draw) -> list[Tier]:
-    sizes = _sizes(0.1 * design.kind.width, 0.1 * design.kind.depth, design.storeys, design.kind.form, draw)
+def _tiers(design: Design, random: RandomStream) -> list[Tier]:
+    sizes = _sizes(0.1 * design.kind.width, 0.1 * design.kind.depth, design.storeys, design.kind.form, random)
     tiers: list[Tier] = []
     floor = 0.0
     for number, (width, depth, count) in enumerate(sizes):
@@ -95,37 +97,37 @@ def _tiers(design: Design, draw: Draw) -> list[Tier]:
     return tiers
 
 
-def _sizes(width: float, depth: float, storeys: int, form: int, draw: Draw) -> list[tuple[float, float, int]]:
+def _sizes(width: float, depth: float, storeys: int, form: int, random: RandomStream) -> list[tuple[float, float, int]]:
     """Width, depth and storeys of each tier, from below."""
-    if form < 2 or storeys < 8 or (form == 2 and draw.chance(0.6)):
+    if form < 2 or storeys < 8 or (form == 2 and random.chance(0.6)):
         return [(width, depth, storeys)]
     if form == 2:
         return [(width, depth, storeys - 2), (width - 4.4, depth - 4.4, 2)]
-    base, shrink = int(draw.integers(1, 4)[0]) + 2, draw.number(3.0, 6.0)
+    base, shrink = int(random.integers(1, 4)[0]) + 2, random.number(3.0, 6.0)
     middle = (width - shrink, depth - shrink)
-    if draw.chance(0.45):
+    if random.chance(0.45):
         return [(width, depth, base), (*middle, storeys - base)]
-    upper = int((storeys - base) * draw.number(0.25, 0.45))
+    upper = int((storeys - base) * random.number(0.25, 0.45))
     return [(width, depth, base), (*middle, storeys - base - upper), (middle[0] - 5.0, middle[1] - 5.0, upper)]
 
 
-def _walls(tier: Tier, design: Design, draw: Draw) -> list[Soup]:
+def _walls(tier: Tier, design: Design, random: RandomStream) -> list[Soup]:
     size, faces = (tier.width, tier.depth), (tier.faces, design.shops, tier.first)
-    return walls(size, tier.rows, faces, design.style, design.paint, draw, design.detail)
+    return walls(size, tier.rows, faces, design.style, design.paint, random, design.detail)
 
 
-def _roof(tier: Tier, design: Design, draw: Draw) -> list[Soup]:
+def _roof(tier: Tier, design: Design, random: RandomStream) -> list[Soup]:
     top = float(tier.rows[-1])
     if tier.last and design.style.pitched and design.storeys <= 5:
-        return _pitched(tier, top, design, draw)
+        return _pitched(tier, top, design, random)
     if design.detail == 0:
-        return [roofs.deck(tier.width + 0.2, tier.depth + 0.2, top, draw.pick(_DECKS))]
+        return [roofs.deck(tier.width + 0.2, tier.depth + 0.2, top, random.pick(_DECKS))]
     paint, cornice = design.paint, design.style.cornice
     edge = paint.trim if cornice == "moulded" else paint.wall
     party = _PARTY[design.kind.place] if tier.first else ""
     soups = [
         roofs.parapet(tier.width, tier.depth, top, cornice, edge, party),
-        roofs.deck(tier.width, tier.depth, top - 0.05, draw.pick(_DECKS)),
+        roofs.deck(tier.width, tier.depth, top - 0.05, random.pick(_DECKS)),
     ]
     if not tier.last:
         return soups
@@ -133,14 +135,14 @@ def _roof(tier: Tier, design: Design, draw: Draw) -> list[Soup]:
     if tower:
         x, z = 0.25 * tier.width, 0.25 * tier.depth
         soups.append(boxes([-x, top - 0.2, -z], [x, top + 3.6, z], "metal", without="-y"))
-    plant = roofs.furnish(tier.width, tier.depth, paint.wall, draw, tower=tower, detail=design.detail)
+    plant = roofs.furnish(tier.width, tier.depth, paint.wall, random, tower=tower, detail=design.detail)
     return [*soups, plant.translate([0.0, top - 0.05, 0.0])]
 
 
-def _pitched(tier: Tier, top: float, design: Design, draw: Draw) -> list[Soup]:
+def _pitched(tier: Tier, top: float, design: Design, random: RandomStream) -> list[Soup]:
     """A tiled roof with a chimney; between neighbours it has gables."""
-    tiles, pitch, paint = draw.pick(_TILES), draw.number(0.55, 0.85), design.paint
-    x = draw.number(-0.3, 0.3) * tier.width
+    tiles, pitch, paint = random.pick(_TILES), random.number(0.55, 0.85), design.paint
+    x = random.number(-0.3, 0.3) * tier.width
     shape = (tier.width, tier.depth, top, pitch, tiles, paint.trim)
     soups = [roofs.hipped(*shape) if design.kind.place == 3 else roofs.gabled(*shape, paint.wall)]
     if design.detail >= 1:

@@ -11,10 +11,10 @@ from nearfar._base import check
 from nearfar._scene.scene import Scene
 from nearfar.datasets import _ground as streets, _layout as layout, _vehicles as vehicles
 from nearfar.datasets._buildings import building
-from nearfar.datasets._draw import xyz
 from nearfar.datasets._dressing import dress
 from nearfar.datasets._furniture import fountain
 from nearfar.datasets._layout import AVENUE, KERB, STREET, Grid, Plot
+from nearfar.datasets._random import xyz
 from nearfar.datasets._shapes import bars
 from nearfar.datasets._stage import Stage, placements
 

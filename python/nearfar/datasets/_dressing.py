@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar.datasets import _furniture as furniture, _vegetation as vegetation, _vehicles as vehicles
-from nearfar.datasets._draw import Draw, Floats
 from nearfar.datasets._ground import FLAT
 from nearfar.datasets._layout import AVENUE, KERB, Grid, Plot
+from nearfar.datasets._random import Floats, RandomStream
 from nearfar.datasets._shapes import Soup
 from nearfar.datasets._stage import Stage, placements
 
@@ -90,16 +90,18 @@ def dress(stage: Stage, grid: Grid, plots: Sequence[Plot], seed: int, detail: in
     """Add everything except buildings, ground and moving cars; nothing stands on `plots`."""
     things: dict[str, Places] = {name: Places() for name in (*_FURNITURE, "tree", "far_tree", "parked_car")}
     for side in sides(grid):
-        draw = Draw(seed, 30, side.block, side.quarter)
-        _street_trees(side, things["tree"], draw, detail)
-        _furnish_side(side, things, draw)
-        _parked(side, things["parked_car"], draw)
+        random = RandomStream(seed, 30, side.block, side.quarter)
+        _street_trees(side, things["tree"], random, detail)
+        _furnish_side(side, things, random)
+        _parked(side, things["parked_car"], random)
     by_block: dict[int, list[Plot]] = {}
     for plot in plots:
         by_block.setdefault(plot.block, []).append(plot)
     for block, (i, j) in enumerate(grid.numbers()):
-        _furnish_block(grid, i, j, grid.use(i, j, seed), by_block.get(block, []), things, Draw(seed, 31, i, j), detail)
-    _outskirts(grid, things["far_tree"], Draw(seed, 32), detail)
+        _furnish_block(
+            grid, i, j, grid.use(i, j, seed), by_block.get(block, []), things, RandomStream(seed, 31, i, j), detail
+        )
+    _outskirts(grid, things["far_tree"], RandomStream(seed, 32), detail)
 
     def parked_car(variant: int) -> Soup:
         body = vehicles.BODIES[variant % len(vehicles.BODIES)]
@@ -108,26 +110,26 @@ def dress(stage: Stage, grid: Grid, plots: Sequence[Plot], seed: int, detail: in
     tree = functools.partial(vegetation.broadleaf, seed, detail=detail)
     far_tree = functools.partial(vegetation.broadleaf, seed, detail=detail if detail >= 3 else 1)
     near, far = placements(*things["tree"].rows(clear=_CLEAR + 3.0).T), placements(*things["far_tree"].rows().T)
-    stage.mixed(tree, Draw(seed, 33).integers(len(near), _TREES), near, "tree")
-    stage.mixed(far_tree, Draw(seed, 35).integers(len(far), _TREES), far, "tree", len(near))
+    stage.mixed(tree, RandomStream(seed, 33).integers(len(near), _TREES), near, "tree")
+    stage.mixed(far_tree, RandomStream(seed, 35).integers(len(far), _TREES), far, "tree", len(near))
     if detail < 2:
         return
     parked = placements(*things["parked_car"].rows(clear=_CLEAR + 3.0).T)
-    stage.mixed(parked_car, Draw(seed, 34).integers(len(parked), _PARKED), parked, "parked_car")
+    stage.mixed(parked_car, RandomStream(seed, 34).integers(len(parked), _PARKED), parked, "parked_car")
     for name, make in _FURNITURE.items():
         stage.many(make(detail), placements(*things[name].rows(clear=_CLEAR).T), name)
 
 
-def _street_trees(side: Side, trees: Places, draw: Draw, detail: int) -> None:
-    if side.half < AVENUE and not draw.chance(0.62):
+def _street_trees(side: Side, trees: Places, random: RandomStream, detail: int) -> None:
+    if side.half < AVENUE and not random.chance(0.62):
         return
     step = 8.0 if detail >= 3 else 16.0
     along = np.arange(13.0, side.length - 12.0, step)
-    spots = along[draw.uniform(len(along)) < 0.9]
-    trees.line(side, spots, 1.1, draw.uniform(len(spots)), draw.uniform(len(spots), 0.72, 1.05))
+    spots = along[random.uniform(len(along)) < 0.9]
+    trees.line(side, spots, 1.1, random.uniform(len(spots)), random.uniform(len(spots), 0.72, 1.05))
 
 
-def _furnish_side(side: Side, things: dict[str, Places], draw: Draw) -> None:
+def _furnish_side(side: Side, things: dict[str, Places], random: RandomStream) -> None:
     """Add lamps, benches, bins, signals and bollards of a side; stops and planters on avenues."""
     turn, end = 0.25 * side.quarter, side.length
     things["lamp_post"].line(side, np.arange(9.0, end - 6.0, 24.0), 0.6, turn)
@@ -135,35 +137,42 @@ def _furnish_side(side: Side, things: dict[str, Places], draw: Draw) -> None:
     table = (("bench", 17.0, 0.75, 0.35, 0.5), ("litter_bin", 23.0, 0.8, 0.5, 0.0))
     for name, first, inward, chance, fraction in table:
         spots = np.arange(first, end - 14.0, 18.0)
-        things[name].line(side, spots[draw.uniform(len(spots)) < chance], inward, turn + fraction)
+        things[name].line(side, spots[random.uniform(len(spots)) < chance], inward, turn + fraction)
     things["traffic_light"].line(side, 0.8, 0.8, turn - 0.25)
     things["bollard"].line(side, [6.2, end - 6.2], 0.45, 0.0)
     if side.half == AVENUE:
-        if draw.chance(0.3):
+        if random.chance(0.3):
             things["bus_stop"].line(side, 37.6, 2.3, turn)
         spots = np.arange(20.0, end - 14.0, 11.0)
-        spots = spots[draw.uniform(len(spots)) < 0.4]
-        things["planter"].line(side, spots, 3.3, draw.uniform(len(spots)))
+        spots = spots[random.uniform(len(spots)) < 0.4]
+        things["planter"].line(side, spots, 3.3, random.uniform(len(spots)))
 
 
-def _parked(side: Side, parked: Places, draw: Draw) -> None:
+def _parked(side: Side, parked: Places, random: RandomStream) -> None:
     along = np.arange(15.0, side.length - 14.0, 6.0)
-    keep = draw.uniform(len(along)) < 0.36
-    nudge = draw.uniform(len(along), -0.3, 0.3)
+    keep = random.uniform(len(along)) < 0.36
+    nudge = random.uniform(len(along), -0.3, 0.3)
     x, z = side.world_position((along + nudge)[keep], -1.2)
     # Traffic keeps to the right, so the block is on the driver's right hand.
     parked.add(x, 0.0, z, 0.25 * side.quarter + 0.75)
 
 
 def _furnish_block(
-    grid: Grid, i: int, j: int, use: str, plots: Sequence[Plot], things: dict[str, Places], draw: Draw, detail: int
+    grid: Grid,
+    i: int,
+    j: int,
+    use: str,
+    plots: Sequence[Plot],
+    things: dict[str, Places],
+    random: RandomStream,
+    detail: int,
 ) -> None:
     """Add trees and benches of a park, a plaza or a courtyard, where nothing is built."""
     x0, x1, z0, z1 = grid.block(i, j)
     x, z = 0.5 * (x0 + x1), 0.5 * (z0 + z1)
     if use == "park":
         count, sizes = (150 if detail >= 3 else 60), (0.7, 1.25)
-        trees = np.stack([draw.uniform(count, -30.5, 30.5), draw.uniform(count, -20.5, 20.5)], -1)
+        trees = np.stack([random.uniform(count, -30.5, 30.5), random.uniform(count, -20.5, 20.5)], -1)
         trees = trees[(np.abs(trees) > 3.2).all(1) & ((trees * trees).sum(1) > 100.0)]
         spots = np.arange(-26.0, 27.0, 7.0)
         spots = spots[np.abs(spots) > 9.0]
@@ -174,26 +183,26 @@ def _furnish_block(
         trees = np.array([(a, b) for a in (-30.0, -24.0, -2.5, 2.5, 24.0, 30.0) for b in (-20.0, 20.0)])
     else:
         count, sizes = (5 if detail >= 3 else 3), (0.45, 0.7)
-        trees = np.stack([draw.uniform(count, -28.0, 28.0), draw.uniform(count, -2.2, 2.2)], -1)
+        trees = np.stack([random.uniform(count, -28.0, 28.0), random.uniform(count, -2.2, 2.2)], -1)
     trees = np.add(trees, [x, z])
     for plot in plots if use == "towers" else ():
         reach = np.array([plot.kind.width, plot.kind.depth]) * 0.05 + 2.4
         trees = trees[(np.abs(trees - [plot.x, plot.z]) > reach).any(1)]
     # Trees of courtyards are always seen from afar, so they are simple ones.
-    turns, factors = draw.uniform(len(trees)), draw.uniform(len(trees), *sizes)
+    turns, factors = random.uniform(len(trees)), random.uniform(len(trees), *sizes)
     things["far_tree" if use == "rows" else "tree"].add(trees[:, 0], KERB, trees[:, 1], turns, factors)
 
 
-def _outskirts(grid: Grid, trees: Places, draw: Draw, detail: int) -> None:
+def _outskirts(grid: Grid, trees: Places, random: RandomStream, detail: int) -> None:
     """Add groves on the level land around the city."""
     groves = (10, 30, 90, 220)[detail]
     low = np.array([grid.x[0], grid.z[0]]) - 25.0
     high = np.array([grid.x[-1], grid.z[-1]]) + 25.0
-    for center in low - FLAT + 30.0 + draw.uniform(2 * groves).reshape(-1, 2) * (high - low + 2.0 * FLAT - 60.0):
-        count = 3 + int(draw.integers(1, 12)[0])
-        x = center[0] + draw.uniform(count, -16.0, 16.0) * (0.4 + draw.uniform(count))
-        z = center[1] + draw.uniform(count, -16.0, 16.0) * (0.4 + draw.uniform(count))
-        turns, sizes = draw.uniform(count), draw.uniform(count, 0.8, 1.5)
+    for center in low - FLAT + 30.0 + random.uniform(2 * groves).reshape(-1, 2) * (high - low + 2.0 * FLAT - 60.0):
+        count = 3 + int(random.integers(1, 12)[0])
+        x = center[0] + random.uniform(count, -16.0, 16.0) * (0.4 + random.uniform(count))
+        z = center[1] + random.uniform(count, -16.0, 16.0) * (0.4 + random.uniform(count))
+        turns, sizes = random.uniform(count), random.uniform(count, 0.8, 1.5)
         outside = (x < low[0]) | (x > high[0]) | (z < low[1]) | (z > high[1])
         off_road = (np.abs(x) > AVENUE + 4.0) & (np.abs(z) > AVENUE + 4.0)
         keep: NDArray[np.bool_] = outside & off_road

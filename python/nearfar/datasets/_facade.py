@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nearfar.datasets._draw import Floats, xyz
 from nearfar.datasets._palette import Material, numbers_of
+from nearfar.datasets._random import Floats, xyz
 from nearfar.datasets._shapes import Soup, boxes, join, quads
 
 Rectangles = Floats  # (K, 4): least u, greatest u, least v, greatest v
@@ -93,20 +93,20 @@ def bars(
     """Glazing bars in front of the panes; their ends lie inside the wall. `hidden` names sides never visible."""
     if not kind and not frame:
         return join([])
-    a0, a1, b0, b1 = holes.T
-    middle, across = 0.5 * (a0 + a1), b0 + 0.68 * (b1 - b0)
-    slim, back, front = 0.03, np.full_like(a0, -reveal - 0.02), np.full_like(a0, 0.05 - reveal)
-    uprights, rails = [middle] if kind else [], [across] if kind == "+" else []
+    u0, u1, v0, v1 = holes.T
+    middle, rail_height = 0.5 * (u0 + u1), v0 + 0.68 * (v1 - v0)
+    slim, back, front = 0.03, np.full_like(u0, -reveal - 0.02), np.full_like(u0, 0.05 - reveal)
+    uprights, rails = [middle] if kind else [], [rail_height] if kind == "+" else []
     if frame:
         # Half of each bar of the frame lies inside the lining.
-        uprights += [a0, a1]
-        rails += [b0, b1]
+        uprights += [u0, u1]
+        rails += [v0, v1]
     parts = [
-        _boxes(u - slim, u + slim, b0 - 0.04, b1 + 0.04, back, front, material, f"{hidden} -y +y") for u in uprights
+        _boxes(u - slim, u + slim, v0 - 0.04, v1 + 0.04, back, front, material, f"{hidden} -y +y") for u in uprights
     ]
     # Rails are slightly thinner than posts, so that no two faces share a plane where bars cross.
     back, front = back + 0.008, front - 0.008
-    parts += [_boxes(a0 - 0.04, a1 + 0.04, v - slim, v + slim, back, front, material, f"{hidden} -x +x") for v in rails]
+    parts += [_boxes(u0 - 0.04, u1 + 0.04, v - slim, v + slim, back, front, material, f"{hidden} -x +x") for v in rails]
     return join(parts)
 
 
@@ -119,14 +119,14 @@ def _boxes(
 
 def sills(holes: Rectangles, material: int) -> Soup:
     """Slabs under the openings, their backs inside the wall."""
-    a0, a1, b0, _ = holes.T
-    return _boxes(a0 - 0.1, a1 + 0.1, b0 - 0.1, b0 + 0.02, -0.06, 0.14, material, "-z")
+    u0, u1, v0, _ = holes.T
+    return _boxes(u0 - 0.1, u1 + 0.1, v0 - 0.1, v0 + 0.02, -0.06, 0.14, material, "-z")
 
 
 def lintels(holes: Rectangles, material: int) -> Soup:
     """Slabs over the openings."""
-    a0, a1, _, b1 = holes.T
-    return _boxes(a0 - 0.14, a1 + 0.14, b1 - 0.015, b1 + 0.2, -0.06, 0.06, material, "-z")
+    u0, u1, _, v1 = holes.T
+    return _boxes(u0 - 0.14, u1 + 0.14, v1 - 0.015, v1 + 0.2, -0.06, 0.06, material, "-z")
 
 
 def shutters(holes: Rectangles, material: int) -> Soup:

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from nearfar._base import check
 from nearfar._scene.scene import Scene
 from nearfar.datasets import _vegetation as vegetation
-from nearfar.datasets._draw import Draw, Floats, turn, xyz
 from nearfar.datasets._palette import material, materials
+from nearfar.datasets._random import Floats, RandomStream, turn, xyz
 from nearfar.datasets._shapes import Soup, halves, join, quads, sheet
 from nearfar.datasets._stage import Stage, placements
 
@@ -34,7 +34,7 @@ class Land:
     @classmethod
     def generate(cls, trees: int, seed: int) -> Land:
         """Make the land for a number of trees."""
-        return cls(float(np.sqrt(max(trees, 60) * _AREA)), Draw(seed, 50).uniform(12))
+        return cls(float(np.sqrt(max(trees, 60) * _AREA)), RandomStream(seed, 50).uniform(12))
 
     def height(self, x: Floats | float, z: Floats | float) -> Floats:
         """Height of the land at positions, metres."""
@@ -116,7 +116,7 @@ def surface(land: Land, detail: int) -> Soup:
     return quads(cells, kinds).tinted(halves(sheet(shade).reshape(-1, 4)))
 
 
-def scatter(land: Land, count: int, clear: float, draw: Draw, reach: float = 1.0e9) -> tuple[Floats, Floats]:
+def scatter(land: Land, count: int, clear: float, random: RandomStream, reach: float = 1.0e9) -> tuple[Floats, Floats]:
     """Choose `count` positions, one in each cell of a grid, `clear` metres off the trail and within `reach` metres."""
     half = 0.5 * land.side
     across = 2.0 * min(half, reach)
@@ -125,22 +125,22 @@ def scatter(land: Land, count: int, clear: float, draw: Draw, reach: float = 1.0
         rows = max(2, int(np.ceil(np.sqrt(count * extra * land.side / across))))
         columns = max(2, int(np.ceil(count * extra / rows)))
         number = np.arange(rows * columns)
-        z = land.side * ((number // columns + draw.uniform(len(number), 0.05, 0.95)) / rows - 0.5)
-        x = across * ((number % columns + draw.uniform(len(number), 0.05, 0.95)) / columns - 0.5)
+        z = land.side * ((number // columns + random.uniform(len(number), 0.05, 0.95)) / rows - 0.5)
+        x = across * ((number % columns + random.uniform(len(number), 0.05, 0.95)) / columns - 0.5)
         x = x + (land.trail(z) if across < land.side else 0.0)
         free = np.flatnonzero((land.off_trail(x, z) > clear) & (x * x + z * z > 9.0) & (np.abs(x) < half))
         if len(free) >= count:
-            selected = np.sort(free[np.argsort(draw.uniform(len(free)), kind="stable")[:count]])
+            selected = np.sort(free[np.argsort(random.uniform(len(free)), kind="stable")[:count]])
             return x[selected], z[selected]
         extra *= 1.5
 
 
 def _plant(stage: Stage, land: Land, trees: int, seed: int, detail: int) -> None:
-    draw = Draw(seed, 52)
-    x, z = scatter(land, trees, 2.6, draw)
-    y, turns, sizes = land.height(x, z), draw.uniform(trees), draw.uniform(trees, 0.7, 1.25)
+    random = RandomStream(seed, 52)
+    x, z = scatter(land, trees, 2.6, random)
+    y, turns, sizes = land.height(x, z), random.uniform(trees), random.uniform(trees, 0.7, 1.25)
     # Trees of a kind stand in groups: slow waves plus random noise choose the kind.
-    wet = turn(x / 170.0 + land.phases[3])[1] + turn(z / 130.0 + land.phases[4])[1] + draw.uniform(trees, -1.1, 1.1)
+    wet = turn(x / 170.0 + land.phases[3])[1] + turn(z / 130.0 + land.phases[4])[1] + random.uniform(trees, -1.1, 1.1)
     kinds: NDArray[np.int64] = np.where(wet < 0.45, 0, np.where(wet < 1.2, 1, 2))
     card = stage.material((1.0, 1.0, 1.0, 1.0), vegetation.leaf_texture(), cutoff=0.5)
     transforms = placements(x, y, z, turns, sizes)
@@ -150,7 +150,7 @@ def _plant(stage: Stage, land: Land, trees: int, seed: int, detail: int) -> None
         ("birch", 3, functools.partial(vegetation.birch, card=card)),
     )
     for kind, (name, variants, make) in enumerate(makers):
-        variant = np.where(kinds == kind, draw.integers(trees, variants), -1)
+        variant = np.where(kinds == kind, random.integers(trees, variants), -1)
         stage.mixed(functools.partial(make, seed, detail=detail), variant, transforms, name)
 
 
@@ -164,17 +164,19 @@ def _undergrowth(stage: Stage, land: Land, trees: int, seed: int, detail: int) -
     for kind, (name, make, variants, per_tree, clear, reach, sizes) in enumerate(table):
         count = round(trees * per_tree) if detail >= 1 else 0
         if count:
-            draw = Draw(seed, 53, kind)
-            x, z = scatter(land, count, clear, draw, reach)
-            transforms = placements(x, land.height(x, z), z, draw.uniform(count), draw.uniform(count, *sizes))
-            stage.mixed(functools.partial(make, seed, detail=detail), draw.integers(count, variants), transforms, name)
+            random = RandomStream(seed, 53, kind)
+            x, z = scatter(land, count, clear, random, reach)
+            transforms = placements(x, land.height(x, z), z, random.uniform(count), random.uniform(count, *sizes))
+            stage.mixed(
+                functools.partial(make, seed, detail=detail), random.integers(count, variants), transforms, name
+            )
 
 
 def _sward(seed: int, variant: int, detail: int) -> Soup:
     """Several tufts of grass side by side."""
-    draw = Draw(seed, 54, variant)
+    random = RandomStream(seed, 54, variant)
     tufts = []
     for k in range(5):
-        offset = [draw.number(-0.7, 0.7), 0.0, draw.number(-0.7, 0.7)]
+        offset = [random.number(-0.7, 0.7), 0.0, random.number(-0.7, 0.7)]
         tufts.append(vegetation.tuft(seed, 7 * variant + k, detail).translate(offset))
     return join(tufts)

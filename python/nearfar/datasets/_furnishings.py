@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from nearfar.datasets._draw import Draw, turn, xyz
 from nearfar.datasets._palette import Material, materials
+from nearfar.datasets._random import RandomStream, turn, xyz
 from nearfar.datasets._shapes import Soup, bars, boxes, join, lathe, loft, quads, sphere, textured, triangles, tube
 
 _SPINES = materials(
@@ -77,7 +77,7 @@ def chair(detail: int) -> Soup:
 
 def shelf(seed: int, detail: int) -> Soup:
     """A bookcase, 1.8 m wide and 2 m high, full of books."""
-    wood, draw = "wood_pale", Draw(seed, 70)
+    wood, random = "wood_pale", RandomStream(seed, 70)
     boards = np.array([[-0.88, y, -0.15] for y in (0.06, 0.44, 0.82, 1.2, 1.58)])
     parts = [
         bars(boards, [1.76, 0.025, 0.3], wood),
@@ -87,11 +87,11 @@ def shelf(seed: int, detail: int) -> Soup:
     for board in boards[:, 1] + 0.026:
         x = -0.86
         while x < 0.8:
-            thick, high, deep = draw.number(0.018, 0.05), draw.number(0.2, 0.31), draw.number(0.15, 0.22)
-            if draw.chance(0.06):
-                x += draw.number(0.05, 0.2)
+            thick, high, deep = random.number(0.018, 0.05), random.number(0.2, 0.31), random.number(0.15, 0.22)
+            if random.chance(0.06):
+                x += random.number(0.05, 0.2)
                 continue
-            parts.append(_book(x, float(board), thick, high, deep, draw.pick(_SPINES), detail))
+            parts.append(_book(x, float(board), thick, high, deep, random.pick(_SPINES), detail))
             x += thick + 0.003
     return join(parts)
 
@@ -137,7 +137,7 @@ def pendant(detail: int) -> Soup:
 
 def plant(seed: int, detail: int) -> Soup:
     """A pot with long leaves that bend outwards."""
-    draw, sides = Draw(seed, 71), (8, 14, 28, 96)[detail]
+    random, sides = RandomStream(seed, 71), (8, 14, 28, 96)[detail]
     pot = [(0.13, 0.0), (0.18, 0.32), (0.19, 0.32), (0.19, 0.36), (0.165, 0.36), (0.15, 0.3)]
     parts = [
         lathe(pot, sides, "terracotta", top=False),
@@ -145,8 +145,8 @@ def plant(seed: int, detail: int) -> Soup:
     ]
     leaves, steps = (8, 16, 34, 90)[detail], (3, 4, 8, 24)[detail]
     for turns, reach, rise, wide in zip(
-        np.arange(leaves) * 0.381966 + draw.uniform(leaves, 0.0, 0.06), draw.uniform(leaves, 0.2, 0.55),
-        draw.uniform(leaves, 0.5, 1.0), draw.uniform(leaves, 0.03, 0.055), strict=True,
+        np.arange(leaves) * 0.381966 + random.uniform(leaves, 0.0, 0.06), random.uniform(leaves, 0.2, 0.55),
+        random.uniform(leaves, 0.5, 1.0), random.uniform(leaves, 0.03, 0.055), strict=True,
     ):  # fmt: skip
         t = np.arange(steps + 1.0) / steps
         out, up = 0.03 + reach * t * t, 0.3 + rise * (1.55 * t - 0.7 * t * t)
@@ -180,7 +180,7 @@ def curtain(width: float, height: float, detail: int) -> Soup:
 
 def crockery(seed: int, detail: int) -> Soup:
     """Plates and cups for four, a bowl of fruit and a vase, on a table top at y = 0."""
-    sides, draw = (8, 14, 28, 128)[detail], Draw(seed, 72)
+    sides, random = (8, 14, 28, 128)[detail], RandomStream(seed, 72)
     plate = [(0.06, 0.0), (0.07, 0.002), (0.125, 0.016), (0.127, 0.02), (0.07, 0.009), (0.01, 0.008)]
     cup = [(0.025, 0.0), (0.036, 0.03), (0.04, 0.08), (0.037, 0.08), (0.033, 0.03), (0.005, 0.008)]
     parts = []
@@ -190,7 +190,7 @@ def crockery(seed: int, detail: int) -> Soup:
     bowl = [(0.06, 0.0), (0.15, 0.06), (0.17, 0.1), (0.163, 0.1), (0.143, 0.062), (0.02, 0.02)]
     parts.append(lathe(bowl, sides, "terracotta"))
     for k, name in enumerate(("sign_mustard", "car_red", "leaf_light", "sign_mustard", "leaf_autumn")):
-        cosine, sine = turn(0.2 * k + draw.number(0.0, 0.05))
+        cosine, sine = turn(0.2 * k + random.number(0.0, 0.05))
         fruit = triangles(sphere(1 + detail if detail else 0), name).scaled([0.042, 0.039, 0.042])
         parts.append(fruit.translate([0.075 * float(cosine), 0.085, 0.075 * float(sine)]))
     vase = [(0.05, 0.0), (0.07, 0.08), (0.03, 0.2), (0.04, 0.24), (0.034, 0.24), (0.024, 0.2), (0.01, 0.05)]

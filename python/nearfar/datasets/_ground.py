@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar.datasets._draw import Draw, Floats, step, turn, xyz
 from nearfar.datasets._layout import KERB, PAVEMENT, YARD, Grid
 from nearfar.datasets._palette import material, materials
+from nearfar.datasets._random import Floats, RandomStream, step, turn, xyz
 from nearfar.datasets._shapes import Soup, boxes, join, lathe, quads, sheet
 
 # Classes of the strips between two break lines of an axis.
@@ -67,7 +67,7 @@ def hill(grid: Grid, x: Floats, z: Floats, seed: int) -> Floats:
         np.maximum(np.abs(values - 0.5 * (lines[0] + lines[-1])) - 0.5 * (lines[-1] - lines[0]), 0.0)
         for values, lines in ((x, grid.x), (z, grid.z))
     )
-    phase = Draw(seed, 20).uniform(6)
+    phase = RandomStream(seed, 20).uniform(6)
     waves = np.zeros_like(x)
     for k, (a, b) in enumerate(((1.0, 0.6), (-0.7, 1.1), (1.7, -1.3))):
         waves += turn((a * x + b * z) / (3700.0 - 700.0 * k) + phase[k])[1]
@@ -104,7 +104,7 @@ def _fields(xs: Floats, zs: Floats, seed: int) -> NDArray[np.int64]:
     """Material of each cell (z, x) of farmland: fields of about 200 m, independent of the break lines."""
     column = np.floor(0.5 * (xs[1:] + xs[:-1]) / 210.0).astype(np.int64)
     row = np.floor(0.5 * (zs[1:] + zs[:-1]) / 160.0).astype(np.int64)
-    table = Draw(seed, 21).integers(128 * 128, len(_FIELDS)).reshape(128, 128)
+    table = RandomStream(seed, 21).integers(128 * 128, len(_FIELDS)).reshape(128, 128)
     return table[row[:, None] % 128, column[None, :] % 128]
 
 
@@ -138,9 +138,9 @@ def _surface(use: str, seed: int, i: int, j: int) -> tuple[int, int]:
     if use == "park":
         return material("lawn"), material("lawn")
     if use == "towers":
-        plaza = material("plaza" if Draw(seed, 22, i, j).chance(0.5) else "paving_warm")
+        plaza = material("plaza" if RandomStream(seed, 22, i, j).chance(0.5) else "paving_warm")
         return plaza, plaza
-    return material("yard"), material("lawn" if Draw(seed, 22, i, j).chance(0.6) else "yard")
+    return material("yard"), material("lawn" if RandomStream(seed, 22, i, j).chance(0.6) else "yard")
 
 
 # Lower and upper height of paint relative to the asphalt, metres; slabs reach below the surface.

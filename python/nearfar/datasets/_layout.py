@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from nearfar.datasets._buildings import Kind
-from nearfar.datasets._draw import Draw, Floats
+from nearfar.datasets._random import Floats, RandomStream
 
 PITCH = (84.0, 64.0)
 """Distances between the middle lines of neighbouring streets along x and z, metres."""
@@ -74,7 +74,7 @@ class Grid:
         if (a, b) == (-1, -1) or (self.blocks > 8 and (a, b) in ((3, 2), (-4, 3), (2, -6))):
             return "park"
         distance = self.downtown(i, j)
-        is_downtown = distance < 1.0 or (distance < 1.6 and Draw(seed, 10, i, j).chance(0.2))
+        is_downtown = distance < 1.0 or (distance < 1.6 and RandomStream(seed, 10, i, j).chance(0.2))
         return "towers" if is_downtown else "rows"
 
     def downtown(self, i: int, j: int) -> float:
@@ -95,28 +95,28 @@ def plots(grid: Grid, seed: int) -> list[Plot]:
     """List all buildings of the city, block by block."""
     buildings: list[Plot] = []
     for i, j in grid.numbers():
-        use, draw = grid.use(i, j, seed), Draw(seed, 11, i, j)
+        use, random = grid.use(i, j, seed), RandomStream(seed, 11, i, j)
         if use != "park":
-            buildings += (_rows if use == "rows" else _towers)(grid, i, j, draw)
+            buildings += (_rows if use == "rows" else _towers)(grid, i, j, random)
     return buildings
 
 
-def _rows(grid: Grid, i: int, j: int, draw: Draw) -> list[Plot]:
+def _rows(grid: Grid, i: int, j: int, random: RandomStream) -> list[Plot]:
     x0, x1, z0, z1 = grid.block(i, j)
     block = j * grid.blocks + i
     buildings: list[Plot] = []
     for quarter, front, backwards in ((0, z1 - PAVEMENT, -1.0), (2, z0 + PAVEMENT, 1.0)):
-        widths = draw.pick(_ROWS)
+        widths = random.pick(_ROWS)
         # Local +x of a row that faces −z is −x of the world, so its plots are listed from the other end.
         start, step = (x0 + PAVEMENT, 1.0) if quarter == 0 else (x1 - PAVEMENT, -1.0)
         for number, width in enumerate(widths):
             place = 2 if number == 0 else 1 if number == len(widths) - 1 else 0
             # Buildings are lower away from down-town.
-            form = int(np.clip(np.floor(2.3 - 0.55 * grid.downtown(i, j) + draw.number(-0.75, 0.75)), 0, 2))
-            is_gap = draw.chance(0.04) and place == 0
+            form = int(np.clip(np.floor(2.3 - 0.55 * grid.downtown(i, j) + random.number(-0.75, 0.75)), 0, 2))
+            is_gap = random.chance(0.04) and place == 0
             if not is_gap:
                 depth = 150 + 10 * ((width // 4 + form) % 3)
-                variant = int(draw.integers(1, _VARIANTS[place])[0])
+                variant = int(random.integers(1, _VARIANTS[place])[0])
                 # A gap of a decimetre between neighbours, so that their walls never share a plane.
                 kind = Kind(width * 10 - 1, depth, form, place, variant)
                 x, z = start + step * 0.5 * width, front + backwards * 0.05 * depth
@@ -125,16 +125,16 @@ def _rows(grid: Grid, i: int, j: int, draw: Draw) -> list[Plot]:
     return buildings
 
 
-def _towers(grid: Grid, i: int, j: int, draw: Draw) -> list[Plot]:
+def _towers(grid: Grid, i: int, j: int, random: RandomStream) -> list[Plot]:
     x0, x1, z0, z1 = grid.block(i, j)
     middle, block = 0.5 * (z0 + z1), j * grid.blocks + i
     buildings = []
     for number in range(2):
-        width, depth = draw.pick(_TOWERS)
-        variant = int(draw.integers(1, 3)[0])
+        width, depth = random.pick(_TOWERS)
+        variant = int(random.integers(1, 3)[0])
         x = x0 + PAVEMENT + (x1 - x0 - 2.0 * PAVEMENT) * (0.25 + 0.5 * number)
-        z = middle + draw.number(-1.0, 1.0) * 0.45 * (z1 - z0 - 2.0 * PAVEMENT - depth)
+        z = middle + random.number(-1.0, 1.0) * 0.45 * (z1 - z0 - 2.0 * PAVEMENT - depth)
         kind = Kind(width * 10, depth * 10, 3, 3, variant)
-        quarter = 2 * int(draw.integers(1, 2)[0])
+        quarter = 2 * int(random.integers(1, 2)[0])
         buildings.append(Plot(f"building_{block}_{number}", block, kind, float(x), float(z), quarter))
     return buildings

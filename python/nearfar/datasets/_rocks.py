@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar import _core
-from nearfar.datasets._draw import Draw, Floats, cross, dot, length, turn, unit
+from nearfar.datasets._random import Floats, RandomStream, cross, dot, length, turn, unit
 from nearfar.datasets._textures import image
 
 COARSEST = 2
@@ -116,25 +116,25 @@ def lines(n: int) -> Floats:
 
 def relief(seed: int, number: int, directions: Floats) -> Floats:
     """Height of a shape's surface above the unit sphere in directions (N, 3)."""
-    draw = Draw(seed, 90, number)
+    random = RandomStream(seed, 90, number)
     height = np.zeros(len(directions))
     # Broad lumps and flats: a few waves across the body.
     for _ in range(7):
-        along = dot(directions, draw.uniform(3, -1.0, 1.0))
-        height = height + 0.085 * turn(along * draw.number(0.2, 0.6) + draw.number())[1]
+        along = dot(directions, random.uniform(3, -1.0, 1.0))
+        height = height + 0.085 * turn(along * random.number(0.2, 0.6) + random.number())[1]
     for octave, (scale, high) in enumerate(((2.3, 0.14), (5.1, 0.06), (11.0, 0.028), (23.0, 0.013), (47.0, 0.006))):
         height = height + high * _noise(seed, 64 * number + octave, directions * scale)
-    return np.maximum(height + _craters(draw, directions), -0.7)
+    return np.maximum(height + _craters(random, directions), -0.7)
 
 
-def _craters(draw: Draw, directions: Floats) -> Floats:
+def _craters(random: RandomStream, directions: Floats) -> Floats:
     """Bowls with raised rims; the number of craters falls with the square of their size."""
     depth = np.zeros(len(directions))
     for k in range(_CRATERS):
-        height = draw.number(-1.0, 1.0)
-        cosine, sine = turn(draw.number())
+        height = random.number(-1.0, 1.0)
+        cosine, sine = turn(random.number())
         flat = np.sqrt(1.0 - height * height)
-        wide = min(0.62, 0.075 / np.sqrt(max(draw.number(), 0.012)))
+        wide = min(0.62, 0.075 / np.sqrt(max(random.number(), 0.012)))
         offset = directions - np.array([flat * float(cosine), height, flat * float(sine)])
         near = np.flatnonzero((offset * offset).sum(1) < (1.6 * wide) ** 2)
         radius = length(offset[near]) / wide
@@ -162,9 +162,9 @@ def _noise(seed: int, channel: int, points: Floats) -> Floats:
 
 def _colors(seed: int, number: int, directions: Floats, lift: Floats) -> NDArray[np.uint8]:
     """Colours (N, 4) in sRGB: grey to brown, with dark plains and pale heights."""
-    draw = Draw(seed, 91, number)
-    base = np.array([146.0, 138.0, 128.0]) + draw.number(-22.0, 16.0)
-    base = base + draw.number() * np.array([10.0, 0.0, -14.0])
+    random = RandomStream(seed, 91, number)
+    base = np.array([146.0, 138.0, 128.0]) + random.number(-22.0, 16.0)
+    base = base + random.number() * np.array([10.0, 0.0, -14.0])
     tone = 1.0 + 0.5 * np.clip(lift, -0.35, 0.35) + 0.1 * _noise(seed, 64 * number + 40, directions * 9.0)
     return image(base * tone[:, None])
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from nearfar.datasets._draw import Draw, Floats, xyz
+from nearfar.datasets._random import Floats, RandomStream, xyz
 from nearfar.datasets._shapes import Soup, bars, boxes, join, lathe, loft, quads, tube
 
 # Closed profiles (outwards, upwards) around the top of the walls, counter-clockwise, metres.
@@ -25,7 +25,7 @@ def rectangle(width: float, depth: float, height: float) -> Floats:
     return xyz([x, x, -x, -x], height, [z, -z, -z, z])
 
 
-def surround(width: float, depth: float, height: float, profile: ArrayLike, kind: int, party: str = "") -> Soup:
+def surround(width: float, depth: float, height: float, profile: ArrayLike, material: int, party: str = "") -> Soup:
     """A closed profile swept around a rectangle, mitred at the corners; on `party` sides it hardly protrudes."""
     outline = np.asarray(profile, np.float64)
     # A twentieth of the overhang remains: enough to keep the profile's points distinct, too little to reach neighbours.
@@ -37,37 +37,37 @@ def surround(width: float, depth: float, height: float, profile: ArrayLike, kind
     loops[:, [0, 3], 2] += out + inward
     loops[:, [1, 2], 2] -= out + inward
     above, after = np.roll(loops, -1, axis=0), np.roll(loops, -1, axis=1)
-    return quads(np.stack([loops, after, np.roll(above, -1, axis=1), above], 2).reshape(-1, 4, 3), kind)
+    return quads(np.stack([loops, after, np.roll(above, -1, axis=1), above], 2).reshape(-1, 4, 3), material)
 
 
-def parapet(width: float, depth: float, height: float, cornice: str, kind: int, party: str = "") -> Soup:
+def parapet(width: float, depth: float, height: float, cornice: str, material: int, party: str = "") -> Soup:
     """A cornice with its parapet; the upper edge of the walls ends inside it."""
-    return surround(width, depth, height, _PROFILES[cornice], kind, party)
+    return surround(width, depth, height, _PROFILES[cornice], material, party)
 
 
-def gabled(width: float, depth: float, height: float, pitch: float, kind: int, eaves: int, wall: int) -> Soup:
+def gabled(width: float, depth: float, height: float, pitch: float, material: int, eaves: int, wall: int) -> Soup:
     """A roof with its ridge along x between two gables, which are 2 cm in front of the walls below."""
     z, x = 0.5 * depth + 0.45, 0.5 * width + 0.02
     low, high = height - 0.12, height + 0.06
     outline = np.array([[high + z * pitch, 0.0], [high, z], [low, z], [low, -z], [high, -z]])
     solid = loft(xyz([[-x], [x]], *outline.T), wall)
-    kinds = solid.materials.copy()
-    kinds[:10] = np.repeat([kind, eaves, eaves, eaves, kind], 2)
-    return Soup(solid.corners, kinds)
+    materials = solid.materials.copy()
+    materials[:10] = np.repeat([material, eaves, eaves, eaves, material], 2)
+    return Soup(solid.corners, materials)
 
 
-def deck(width: float, depth: float, height: float, kind: int) -> Soup:
+def deck(width: float, depth: float, height: float, material: int) -> Soup:
     """A flat roof between the parapets, with its edge inside them."""
-    return quads(rectangle(width - 0.2, depth - 0.2, height), kind)
+    return quads(rectangle(width - 0.2, depth - 0.2, height), material)
 
 
-def hipped(width: float, depth: float, height: float, pitch: float, kind: int, eaves: int) -> Soup:
+def hipped(width: float, depth: float, height: float, pitch: float, material: int, eaves: int) -> Soup:
     """A hipped roof with eaves around it."""
     wide, deep = width + 0.9, depth + 0.9
     rise, ridge = 0.5 * min(wide, deep) * pitch, abs(wide - deep)
     along = (ridge, 0.0) if wide >= deep else (0.0, ridge)
     eave = [rectangle(wide, deep, height + up) for up in (-0.12, 0.06)]
-    return loft([*eave, rectangle(*along, height + 0.06 + rise)], [eaves, kind], top=False)
+    return loft([*eave, rectangle(*along, height + 0.06 + rise)], [eaves, material], top=False)
 
 
 def chimney(x: float, z: float, low: float, high: float) -> Soup:
@@ -82,10 +82,10 @@ def chimney(x: float, z: float, low: float, high: float) -> Soup:
     return join(parts)
 
 
-def air_handler(draw: Draw, detail: int) -> Soup:
+def air_handler(random: RandomStream, detail: int) -> Soup:
     """An air handler: a box with fans on rails."""
-    wide, deep, high = draw.number(1.6, 3.0), draw.number(1.2, 1.8), draw.number(1.0, 1.6)
-    metal = "metal_light" if draw.chance(0.6) else "metal"
+    wide, deep, high = random.number(1.6, 3.0), random.number(1.2, 1.8), random.number(1.0, 1.6)
+    metal = "metal_light" if random.chance(0.6) else "metal"
     parts = [boxes([-wide / 2, 0.15, -deep / 2], [wide / 2, 0.15 + high, deep / 2], metal)]
     if detail >= 2:
         low = [[-wide / 2 - 0.1, -0.1, side * deep * 0.35 - 0.06] for side in (-1, 1)]
@@ -96,9 +96,9 @@ def air_handler(draw: Draw, detail: int) -> Soup:
     return join(parts)
 
 
-def stair_head(draw: Draw, wall: int) -> Soup:
+def stair_head(random: RandomStream, wall: int) -> Soup:
     """The structure over the staircase, with its door."""
-    wide, deep, high = draw.number(2.6, 3.6), draw.number(3.2, 4.6), draw.number(2.5, 3.0)
+    wide, deep, high = random.number(2.6, 3.6), random.number(3.2, 4.6), random.number(2.5, 3.0)
     x, z = wide / 2, deep / 2
     return join([
         boxes([-x, -0.1, -z], [x, high, z], wall, without="-y"),
@@ -131,25 +131,25 @@ def mast(high: float) -> Soup:
     return join(parts)
 
 
-def furnish(width: float, depth: float, wall: int, draw: Draw, *, tower: bool, detail: int) -> Soup:
+def furnish(width: float, depth: float, wall: int, random: RandomStream, *, tower: bool, detail: int) -> Soup:
     """Equipment for a flat roof of this size, each piece in its own cell of a grid."""
     columns, rows = max(1, int(width // 7.0)), max(1, int(depth // 6.5))
     cells = [(i, j) for j in range(rows) for i in range(columns)]
-    order = np.argsort(draw.uniform(len(cells)), kind="stable")
+    order = np.argsort(random.uniform(len(cells)), kind="stable")
     parts = []
-    pieces = ["stairs", "plant", "tank" if draw.chance(0.35) and not tower else "plant", "plant", "mast", "plant"]
+    pieces = ["stairs", "plant", "tank" if random.chance(0.35) and not tower else "plant", "plant", "mast", "plant"]
     for kind, number in zip(pieces[: max(2, len(cells) - 1)], order, strict=False):
         i, j = cells[int(number)]
-        x = ((i + 0.5) / columns - 0.5) * (width - 1.6) + draw.number(-0.5, 0.5)
-        z = ((j + 0.5) / rows - 0.5) * (depth - 1.6) + draw.number(-0.5, 0.5)
+        x = ((i + 0.5) / columns - 0.5) * (width - 1.6) + random.number(-0.5, 0.5)
+        z = ((j + 0.5) / rows - 0.5) * (depth - 1.6) + random.number(-0.5, 0.5)
         if kind == "stairs":
-            piece = stair_head(draw, wall)
+            piece = stair_head(random, wall)
         elif kind == "tank":
             piece = water_tank(detail)
         elif kind == "mast":
-            piece = mast(draw.number(9.0, 16.0) if tower else draw.number(3.0, 6.0))
+            piece = mast(random.number(9.0, 16.0) if tower else random.number(3.0, 6.0))
         else:
-            piece = air_handler(draw, detail)
-        quarter = 0.25 * int(draw.integers(1, 4)[0]) if kind != "stairs" else 0.0
+            piece = air_handler(random, detail)
+        quarter = 0.25 * int(random.integers(1, 4)[0]) if kind != "stairs" else 0.0
         parts.append(piece.rotated(quarter).translate([x, 0.0, z]))
     return join(parts)

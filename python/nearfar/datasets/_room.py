@@ -15,8 +15,8 @@ from nearfar.datasets import (
     _vegetation as vegetation,
 )
 from nearfar.datasets._buildings import Kind, building
-from nearfar.datasets._draw import Draw, xyz
 from nearfar.datasets._facade import Rectangles
+from nearfar.datasets._random import RandomStream, xyz
 from nearfar.datasets._shapes import Soup, boxes, join, quads, sheet, textured
 from nearfar.datasets._stage import Stage, placements
 
@@ -161,18 +161,18 @@ def _furnish(stage: Stage, seed: int, detail: int) -> None:
 
 def _garden(stage: Stage, seed: int, detail: int) -> None:
     """A lawn around the house with trees, a hedge and neighbours."""
-    draw = Draw(seed, 80)
+    random = RandomStream(seed, 80)
     lines = np.linspace(-400.0, 400.0, 33)
     gx, gz = np.meshgrid(lines, lines)
     stage.once(quads(sheet(xyz(gx, -0.35, gz)), "lawn"), "lawn")
-    x, z = draw.uniform(14, -28.0, 28.0), draw.uniform(14, -34.0, -10.0)
+    x, z = random.uniform(14, -28.0, 28.0), random.uniform(14, -34.0, -10.0)
     for variant in range(2):
         trees = np.arange(variant, 14, 2)
-        transforms = placements(x[trees], -0.35, z[trees], draw.uniform(7), draw.uniform(7, 0.6, 1.1))
+        transforms = placements(x[trees], -0.35, z[trees], random.uniform(7), random.uniform(7, 0.6, 1.1))
         stage.many(vegetation.broadleaf(seed, 3 * variant, detail), transforms, [f"tree_{k}" for k in trees])
     x = np.arange(-12.0, 12.1, 0.9)
-    stage.many(vegetation.shrub(seed, 0, detail), placements(x, -0.35, -8.0, draw.uniform(len(x)), 1.2), "hedge")
+    stage.many(vegetation.shrub(seed, 0, detail), placements(x, -0.35, -8.0, random.uniform(len(x)), 1.2), "hedge")
     for number in range(5):
         soup = building(Kind(150 + 10 * number, 130, 0, 3, number), seed, detail)
-        transform = placements(-44.0 + 22.0 * number, -0.35, -48.0 + 2.0 * draw.number(), 0.0)
+        transform = placements(-44.0 + 22.0 * number, -0.35, -48.0 + 2.0 * random.number(), 0.0)
         stage.many(soup, transform, [f"house_{number}"])

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nearfar.datasets._draw import Floats, cross, turn, unit, xyz
 from nearfar.datasets._palette import numbers_of
+from nearfar.datasets._random import Floats, cross, turn, unit, xyz
 
 # Corners of a box's sides, as bits (x, y, z) of its eight vertices, counter-clockwise from outside.
 _SIDES = {

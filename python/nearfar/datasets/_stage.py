@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar._scene.builder import SceneBuilder
 from nearfar._scene.scene import Scene
 from nearfar.datasets import _palette
-from nearfar.datasets._draw import Floats, turn
+from nearfar.datasets._random import Floats, turn
 from nearfar.datasets._shapes import Indexed, Soup, weld
 
 # Least number of triangles of a prototype that becomes instances: smaller ones are traced faster as copies in one tree.

@@ -13,9 +13,9 @@ import numpy as np
 from nearfar._base import check
 from nearfar._scene.scene import Scene
 from nearfar.datasets import _vegetation as vegetation
-from nearfar.datasets._draw import Draw, Floats, turn, xyz
 from nearfar.datasets._forest import Land, scatter, surface
 from nearfar.datasets._palette import materials
+from nearfar.datasets._random import Floats, RandomStream, turn, xyz
 from nearfar.datasets._shapes import Soup, boxes, quads, sheet, sphere, triangles
 from nearfar.datasets._stage import Stage, placements
 
@@ -42,20 +42,20 @@ def beams(count: int = 80, seed: int = 0) -> Scene:
         0 to 2⁶³ − 1.
     """
     count, seed = _check_arguments(count, seed, "count")
-    stage, draw = Stage(), Draw(seed, 70)
+    stage, random = Stage(), RandomStream(seed, 70)
     _floor(stage)
-    fraction, side = draw.uniform(count), draw.uniform(count, -1.0, 1.0)
+    fraction, side = random.uniform(count), random.uniform(count, -1.0, 1.0)
     distance = 2.0 + 28.0 * fraction * fraction
-    starts = xyz(side * distance, draw.uniform(count, 0.2, 4.5), -distance)
+    starts = xyz(side * distance, random.uniform(count, 0.2, 4.5), -distance)
     # Turned to a side by up to 45°, and up or down by up to 10°.
-    yaw, pitch = draw.uniform(count, -0.125, 0.125), draw.uniform(count, -0.028, 0.028)
-    sizes = np.stack([draw.uniform(count, 0.12, 0.4)] * 2 + [draw.uniform(count, 8.0, 40.0)], -1)
+    yaw, pitch = random.uniform(count, -0.125, 0.125), random.uniform(count, -0.028, 0.028)
+    sizes = np.stack([random.uniform(count, 0.12, 0.4)] * 2 + [random.uniform(count, 8.0, 40.0)], -1)
     transforms = _oriented(yaw, pitch, sizes, starts)
 
     def bar(paint: int) -> Soup:
         return boxes((-0.5, -0.5, -1.0), (0.5, 0.5, 0.0), _PAINTS[paint])
 
-    stage.mixed(bar, draw.integers(count, len(_PAINTS)), transforms, "beam")
+    stage.mixed(bar, random.integers(count, len(_PAINTS)), transforms, "beam")
     return stage.build()
 
 
@@ -76,15 +76,15 @@ def spheres(count: int = 1000, seed: int = 0, detail: int = 3) -> Scene:
     """
     count, seed = _check_arguments(count, seed, "count")
     detail = check.integer("detail", detail, 0, 7)
-    stage, draw = Stage(), Draw(seed, 71)
+    stage, random = Stage(), RandomStream(seed, 71)
     _floor(stage)
-    distance = draw.uniform(count, 1.5, 60.0)
-    cosine, sine = turn(draw.uniform(count))
-    radii = np.minimum(draw.uniform(count, 0.08, 1.0), 0.12 * distance)
-    height = radii + draw.uniform(count, 0.0, 1.0) * (0.4 + 0.35 * distance)
+    distance = random.uniform(count, 1.5, 60.0)
+    cosine, sine = turn(random.uniform(count))
+    radii = np.minimum(random.uniform(count, 0.08, 1.0), 0.12 * distance)
+    height = radii + random.uniform(count, 0.0, 1.0) * (0.4 + 0.35 * distance)
     transforms = placements(sine * distance, height, -cosine * distance, 0.0, radii)
     balls = [triangles(sphere(detail), paint) for paint in _PAINTS]
-    stage.mixed(balls.__getitem__, draw.integers(count, len(_PAINTS)), transforms, "sphere")
+    stage.mixed(balls.__getitem__, random.integers(count, len(_PAINTS)), transforms, "sphere")
     return stage.build()
 
 
@@ -106,16 +106,16 @@ def landscape(trees: int = 250, seed: int = 0, detail: int = 2) -> Scene:
     trees, seed = _check_arguments(trees, seed, "trees")
     detail = check.integer("detail", detail, 0, 3)
     # Ten times as much land for each tree as in a forest.
-    stage, land, draw = Stage(), Land.generate(10 * trees, seed), Draw(seed, 72)
+    stage, land, random = Stage(), Land.generate(10 * trees, seed), RandomStream(seed, 72)
     stage.once(surface(land, detail), "land")
     for name, make, count, clear, sizes in (
         ("spruce", vegetation.conifer, trees - trees // 2, 3.0, (0.7, 1.3)),
         ("oak", vegetation.broadleaf, trees // 2, 3.0, (0.6, 1.2)),
         ("rock", vegetation.rock, trees, 1.5, (0.3, 2.5)),
     ):
-        x, z = scatter(land, count, clear, draw)
-        transforms = placements(x, land.height(x, z), z, draw.uniform(count), draw.uniform(count, *sizes))
-        stage.mixed(functools.partial(make, seed, detail=detail), draw.integers(count, 4), transforms, name)
+        x, z = scatter(land, count, clear, random)
+        transforms = placements(x, land.height(x, z), z, random.uniform(count), random.uniform(count, *sizes))
+        stage.mixed(functools.partial(make, seed, detail=detail), random.integers(count, 4), transforms, name)
     return stage.build()
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar.datasets._draw import Draw, Floats, turn
+from nearfar.datasets._random import Floats, RandomStream, turn
 
 Image = NDArray[np.uint8]
 
@@ -27,8 +27,8 @@ def planks(seed: int, rows: int = 8, size: int = 512) -> Image:
     """Floor boards along the picture's width; the texture repeats in both directions."""
     x, y = grid(size, size)
     row = np.floor(y * rows).astype(np.int64)
-    draw = Draw(seed, 60)
-    start, light, phase = draw.uniform(rows), draw.uniform(2 * rows, 0.86, 1.08), draw.uniform(2 * rows)
+    random = RandomStream(seed, 60)
+    start, light, phase = random.uniform(rows), random.uniform(2 * rows, 0.86, 1.08), random.uniform(2 * rows)
     along = (x + start[row]) % 1.0
     board = 2 * row + (along > 0.5)
     inside = (y * rows) % 1.0
@@ -53,15 +53,15 @@ def checks(colors: tuple[tuple[float, float, float], ...], size: int = 256, coun
 
 def painting(seed: int, number: int, size: int = 192) -> Image:
     """A painted landscape in bands: sky, hills, a sun."""
-    draw = Draw(seed, 61, number)
+    random = RandomStream(seed, 61, number)
     x, y = grid(size, size)
-    low, high = draw.uniform(3, 90.0, 180.0), draw.uniform(3, 190.0, 250.0)
+    low, high = random.uniform(3, 90.0, 180.0), random.uniform(3, 190.0, 250.0)
     rgb = low + (high - low) * (1.0 - y)[..., None]
-    sun = draw.uniform(2, 0.25, 0.75)
+    sun = random.uniform(2, 0.25, 0.75)
     disc = (x - sun[0]) * (x - sun[0]) + (y - 0.6 * sun[1]) * (y - 0.6 * sun[1]) < 0.008
     rgb = np.where(disc[..., None], [246.0, 214.0, 140.0], rgb)
     for band in range(4):
-        color, phase = draw.uniform(3, 40.0, 150.0) * [0.9, 1.0, 0.8], draw.number()
+        color, phase = random.uniform(3, 40.0, 150.0) * [0.9, 1.0, 0.8], random.number()
         ridge = 0.45 + 0.13 * band + 0.06 * turn(x * (1.0 + 0.7 * band) + phase)[1]
         rgb = np.where((y > ridge)[..., None], color, rgb)
     return image(rgb)
@@ -70,13 +70,13 @@ def painting(seed: int, number: int, size: int = 192) -> Image:
 def _wear(seed: int, number: int, size: int) -> Floats:
     """Brightness (size, size) around 1 of a worn surface, which repeats in both directions: stains and grain."""
     x, y = grid(size, size)
-    draw = Draw(seed, 90, number)
+    random = RandomStream(seed, 90, number)
     tone = np.ones((size, size))
     # Whole numbers of waves along both sides make the texture repeat.
     for across, up, strength in ((1, 2, 0.03), (3, -1, 0.03), (4, 5, 0.02), (-7, 6, 0.015), (11, 3, 0.01)):
-        bent = across * x + up * y + 0.15 * turn(2.0 * y + draw.number())[1] + draw.number()
+        bent = across * x + up * y + 0.15 * turn(2.0 * y + random.number())[1] + random.number()
         tone = tone + strength * turn(bent)[1]
-    return tone * (1.0 + draw.uniform(size * size, -0.035, 0.035).reshape(size, size))
+    return tone * (1.0 + random.uniform(size * size, -0.035, 0.035).reshape(size, size))
 
 
 def concrete(seed: int, size: int = 512) -> Image:
@@ -100,7 +100,7 @@ def lane(seed: int, size: int = 512) -> Image:
 def lane_line(seed: int, size: int = 256) -> Image:
     """Yellow paint, scuffed."""
     tone = _wear(seed, 2, size)
-    is_scuffed = Draw(seed, 91).uniform(size * size).reshape(size, size) < 0.06
+    is_scuffed = RandomStream(seed, 91).uniform(size * size).reshape(size, size) < 0.06
     rgb = tone[..., None] * np.array([236.0, 190.0, 52.0])
     return image(np.where(is_scuffed[..., None], [170.0, 165.0, 140.0], rgb))
 
@@ -114,13 +114,13 @@ def stripes(size: int = 128) -> Image:
 def notices(seed: int, size: int = 256) -> Image:
     """A notice board: sheets of paper with lines of text."""
     x, y = grid(size, size)
-    draw = Draw(seed, 92)
+    random = RandomStream(seed, 92)
     rgb = np.broadcast_to([62.0, 84.0, 110.0], (size, size, 3))
     for k in range(8):
-        left, top = 0.04 + 0.24 * (k % 4), 0.06 + 0.47 * (k // 4) + draw.number(0.0, 0.04)
+        left, top = 0.04 + 0.24 * (k % 4), 0.06 + 0.47 * (k // 4) + random.number(0.0, 0.04)
         u, v = (x - left) / 0.2, (y - top) / 0.38
         inside = (u > 0.0) & (u < 1.0) & (v > 0.0) & (v < 1.0)
         text = inside & (u > 0.12) & (u < 0.88) & (v > 0.15) & ((v * 14.0) % 1.0 < 0.4)
-        paper = draw.uniform(3, 215.0, 245.0)
+        paper = random.uniform(3, 215.0, 245.0)
         rgb = np.where(text[..., None], [96.0, 98.0, 104.0], np.where(inside[..., None], paper, rgb))
     return image(rgb)

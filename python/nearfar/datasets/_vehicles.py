@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from nearfar.datasets._draw import Floats
 from nearfar.datasets._palette import Material
+from nearfar.datasets._random import Floats
 from nearfar.datasets._shapes import Soup, boxes, join, lathe, loft
 
 PAINTS = ("car_white", "car_silver", "car_black", "car_red", "car_blue", "car_green", "car_yellow", "car_beige")

@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar.datasets import _facade as facade
-from nearfar.datasets._draw import Draw, Floats
 from nearfar.datasets._facade import Rectangles, Window
 from nearfar.datasets._palette import material, materials
+from nearfar.datasets._random import Floats, RandomStream
 from nearfar.datasets._shapes import Soup, boxes, join
 from nearfar.datasets._styles import Style
 
@@ -42,11 +42,11 @@ class Paint:
     shiny: bool
 
     @classmethod
-    def random(cls, style: Style, draw: Draw) -> Paint:
+    def pick(cls, style: Style, random: RandomStream) -> Paint:
         """Choose the colours of a style."""
-        wall, trim, frame = (material(draw.pick(names)) for names in (style.walls, style.trims, style.frames))
-        base = trim if draw.chance(0.45) else wall
-        return cls(wall, trim, frame, base, draw.pick(_SHUTTERS), "glass" in "".join(style.walls) or style.bay < 2.0)
+        wall, trim, frame = (material(random.pick(names)) for names in (style.walls, style.trims, style.frames))
+        base = trim if random.chance(0.45) else wall
+        return cls(wall, trim, frame, base, random.pick(_SHUTTERS), "glass" in "".join(style.walls) or style.bay < 2.0)
 
 
 @dataclass(frozen=True)
@@ -64,7 +64,7 @@ class Plan:
 
 def walls(
     size: tuple[float, float], rows: Floats, faces: tuple[Sequence[str], bool, bool], style: Style, paint: Paint,
-    draw: Draw, detail: int,
+    random: RandomStream, detail: int,
 ) -> list[Soup]:  # fmt: skip
     """Build the four façades of a block, from the front counter-clockwise; at detail 0 one box.
 
@@ -78,12 +78,12 @@ def walls(
     sides = []
     for quarter, kind in enumerate(kinds):
         width, depth = size if quarter % 2 == 0 else size[::-1]
-        side = _wall(Plan(width, rows, kind, shops, on_ground), style, paint, draw, detail)
+        side = _wall(Plan(width, rows, kind, shops, on_ground), style, paint, random, detail)
         sides.append(side.translate([0.0, 0.0, 0.5 * depth]).rotated(0.25 * quarter))
     return sides
 
 
-def _wall(plan: Plan, style: Style, paint: Paint, draw: Draw, detail: int) -> Soup:
+def _wall(plan: Plan, style: Style, paint: Paint, random: RandomStream, detail: int) -> Soup:
     """Build the façade in its own plane, u from −width/2 to width/2."""
     half, rows = 0.5 * plan.width, plan.rows
     if plan.face == "party":
@@ -93,17 +93,17 @@ def _wall(plan: Plan, style: Style, paint: Paint, draw: Draw, detail: int) -> So
     blank_parts = ([-half, inner[0]], rows), ([inner[-1], half], rows), (inner, rows[-2:])
     soups = [facade.plain(np.concatenate([facade.rectangles(u, v) for u, v in blank_parts]), paint.wall)]
     upper = facade.rectangles(inner, rows[1 if plan.on_ground else 0 : -1])
-    soups += _upper_storeys(upper, count, plan, style, paint, draw, detail)
+    soups += _upper_storeys(upper, count, plan, style, paint, random, detail)
     if plan.on_ground:
         # Floors are at v = 0; the wall below is hidden in the ground.
-        soups += _ground_storey(facade.rectangles(inner, rows[:2]), plan, style, paint, draw, detail)
+        soups += _ground_storey(facade.rectangles(inner, rows[:2]), plan, style, paint, random, detail)
     if detail >= 2:
         soups += _bands(inner, plan, style, paint)
     return join(soups)
 
 
 def _upper_storeys(
-    cells: Rectangles, count: int, plan: Plan, style: Style, paint: Paint, draw: Draw, detail: int
+    cells: Rectangles, count: int, plan: Plan, style: Style, paint: Paint, random: RandomStream, detail: int
 ) -> list[Soup]:
     if not len(cells):
         return []
@@ -111,9 +111,9 @@ def _upper_storeys(
     is_street, has_balcony = plan.face == "street", np.zeros(len(cells), bool)
     if style.balcony and is_street:
         storey, column = np.divmod(np.arange(len(cells)), count)
-        has_balcony = _balcony_cells(column, storey, count, len(cells) // count, draw)
+        has_balcony = _balcony_cells(column, storey, count, len(cells) // count, random)
         holes[has_balcony, 2] = cells[has_balcony, 2] + 0.1
-    panes = _panes(paint, draw, len(cells))
+    panes = _panes(paint, random, len(cells))
     soups = [facade.openings(cells, holes, window.reveal, paint.wall, paint.wall, panes, recessed=detail >= 2)]
     if detail < 2:
         return soups
@@ -132,26 +132,28 @@ def _upper_storeys(
     return soups
 
 
-def _panes(paint: Paint, draw: Draw, count: int) -> NDArray[np.int32]:
+def _panes(paint: Paint, random: RandomStream, count: int) -> NDArray[np.int32]:
     """Random materials of windows."""
     glass = np.array(_SHINY if paint.shiny else _GLASS, np.int32)
-    return glass[draw.integers(count, len(glass))]
+    return glass[random.integers(count, len(glass))]
 
 
 def _balcony_cells(
-    column: NDArray[np.int64], storey: NDArray[np.int64], count: int, storeys: int, draw: Draw
+    column: NDArray[np.int64], storey: NDArray[np.int64], count: int, storeys: int, random: RandomStream
 ) -> NDArray[np.bool_]:
     """Choose cells for balconies: in two columns of windows, symmetric about the middle, or on one storey."""
     mirrored = np.minimum(column, count - 1 - column)
-    if draw.chance(0.3):
-        return np.asarray(storey == (0 if draw.chance(0.6) else max(0, storeys - 2)))
-    chosen_column = int(draw.integers(1, max(1, (count + 1) // 2))[0])
+    if random.chance(0.3):
+        return np.asarray(storey == (0 if random.chance(0.6) else max(0, storeys - 2)))
+    chosen_column = int(random.integers(1, max(1, (count + 1) // 2))[0])
     return np.asarray((mirrored == chosen_column) & (storey < storeys - (1 if storeys > 3 else 0)))
 
 
-def _ground_storey(cells: Rectangles, plan: Plan, style: Style, paint: Paint, draw: Draw, detail: int) -> list[Soup]:
+def _ground_storey(
+    cells: Rectangles, plan: Plan, style: Style, paint: Paint, random: RandomStream, detail: int
+) -> list[Soup]:
     count = len(cells)
-    door = np.arange(count) == int(draw.integers(1, count)[0])
+    door = np.arange(count) == int(random.integers(1, count)[0])
     shop = ~door & (plan.shops and plan.face == "street")
     holes = facade.holes_in(cells, style.window)
     # Sills and heads are measured from the floor, not from the wall's hidden foot.
@@ -165,29 +167,29 @@ def _ground_storey(cells: Rectangles, plan: Plan, style: Style, paint: Paint, dr
     holes[shop, 2], holes[shop, 3] = _SHOP.sill, _SHOP.head * height[shop]
     holes[door, 2], holes[door, 3] = _DOOR.sill, np.minimum(2.55, 0.8 * height[door])
     reveal = np.where(door, _DOOR.reveal, np.where(shop, _SHOP.reveal, style.window.reveal))
-    panes = _panes(paint, draw, count)
-    panes[shop] = np.array(_SHOPS, np.int32)[draw.integers(count, len(_SHOPS))][shop]
-    panes[door] = draw.pick(_DOORS)
+    panes = _panes(paint, random, count)
+    panes[shop] = np.array(_SHOPS, np.int32)[random.integers(count, len(_SHOPS))][shop]
+    panes[door] = random.pick(_DOORS)
     outside = paint.base if plan.face == "street" else paint.wall
     soups = [facade.openings(cells, holes, reveal, outside, paint.trim, panes, recessed=detail >= 2)]
     if detail < 2:
         return soups
     if shop.any():
         soups.append(facade.bars(holes[shop], _SHOP.reveal, _SHOP.bars, paint.frame))
-        soups += _shop_signs(cells[shop], draw)
+        soups += _shop_signs(cells[shop], random)
     windows = holes[~is_wide]
     if len(windows) and not paint.shiny and plan.face == "street":
         soups.append(facade.bars(windows, style.window.reveal, style.window.bars, paint.frame))
         soups.append(facade.sills(windows, paint.trim))
-    soups.append(_doorstep(holes[door][0], paint, draw))
+    soups.append(_doorstep(holes[door][0], paint, random))
     return soups
 
 
-def _shop_signs(cells: Rectangles, draw: Draw) -> list[Soup]:
+def _shop_signs(cells: Rectangles, random: RandomStream) -> list[Soup]:
     """Fascia boards, some with an awning below."""
     soups = []
-    kinds = draw.integers(len(cells), 3)
-    sign, cloth = draw.pick(_SIGNS), draw.pick(_AWNINGS)
+    kinds = random.integers(len(cells), 3)
+    sign, cloth = random.pick(_SIGNS), random.pick(_AWNINGS)
     for cell, kind in zip(cells, kinds, strict=True):
         u0, u1, v1 = cell[0] + 0.06, cell[1] - 0.06, cell[3]
         soups.append(boxes([u0, 0.82 * v1, -0.05], [u1, 0.82 * v1 + 0.5, 0.12], sign, without="-z"))
@@ -196,7 +198,7 @@ def _shop_signs(cells: Rectangles, draw: Draw) -> list[Soup]:
     return soups
 
 
-def _doorstep(hole: NDArray[np.float64], paint: Paint, draw: Draw) -> Soup:
+def _doorstep(hole: NDArray[np.float64], paint: Paint, random: RandomStream) -> Soup:
     """A doorstep, a frame around the door, and a roof over it."""
     u0, u1, top = float(hole[0]), float(hole[1]), float(hole[3])
     parts = [
@@ -205,7 +207,7 @@ def _doorstep(hole: NDArray[np.float64], paint: Paint, draw: Draw) -> Soup:
         boxes([u1 - 0.02, -0.1, -0.05], [u1 + 0.16, top + 0.02, 0.08], paint.trim, without="-z -y"),
         boxes([u0 - 0.2, top - 0.02, -0.05], [u1 + 0.2, top + 0.2, 0.14], paint.trim, without="-z"),
     ]
-    if draw.chance(0.4):
+    if random.chance(0.4):
         parts.append(boxes([u0 - 0.5, top + 0.26, -0.05], [u1 + 0.5, top + 0.36, 1.1], "trim_dark", without="-z"))
     return join(parts)
 

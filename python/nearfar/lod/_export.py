@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from nearfar import _core
 from nearfar._base import check, files, formats
 from nearfar._camera.camera import Camera, Fov
-from nearfar._scene.levels import kept_of
+from nearfar._scene.levels import notes_of
 from nearfar._scene.names import Names
 from nearfar._scene.scene import Scene, core_of
 from nearfar._scene.serialize import empty_core
@@ -50,7 +50,7 @@ def write(
     if not all_levels:
         numbers = np.flatnonzero(sizes.is_ever_shown)
         model, sizes = model.of_levels(numbers), sizes.of_levels(numbers)
-    document = _file.document(model) | {"switches": engine_levels(model, sizes)}
+    document = _file.encode_document(model) | {"switches": engine_levels(model, sizes)}
     if path.suffix.lower() == ".json":
         formats.write_json(path, document)
     else:
@@ -68,7 +68,7 @@ def _glb_of(model: MeasuredLevels, sizes: Switches, document: dict[str, Any]) ->
     count = len(meshes)
     placements = np.tile(_IDENTITY[None, :3], (count, 1, 1))
     combined = _core.with_instances(core, meshes, placements, np.zeros(count, np.int32), count)
-    encoder = glb.Encoder(combined, [model.name], kept_of([model])["undrawn"])
+    encoder = glb.Encoder(combined, [model.name], notes_of([model])["undrawn"])
     nodes, extensions = _chain(encoder, range(count), sizes)
     geometry = [{name: getattr(level, name) for name in MEASURED} for level in model.levels]
     extras = encoder.nodes[nodes[0]].setdefault("extras", {})

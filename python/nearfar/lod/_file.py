@@ -1,4 +1,4 @@
-"""JSON files of models, without geometry."""
+"""JSON files of `MeasuredLevels`, the data of a `LodModel` without its geometry."""
 
 from __future__ import annotations
 
@@ -16,9 +16,10 @@ from nearfar.lod._measured_levels import MeasuredLevels
 NAME, VERSION = "lod", 2
 PARAMETERS = ("a", "b", "c", "d", "rms")
 STATUSES = ("fitted", "step", "open", "flat", "unfittable")
+"""Values of `Curve4PL.status`, explained in `nearfar.lod.fit_4pl`."""
 
 
-def document(model: MeasuredLevels) -> dict[str, Any]:
+def encode_document(model: MeasuredLevels) -> dict[str, Any]:
     """Encode a model without its geometry."""
     curves = [None, *(_curve(model.curves[number]) for number in range(len(model.curves)))]
     return formats.header(NAME, VERSION) | {
@@ -54,19 +55,19 @@ def _rows(values: NDArray[Any]) -> Any:
 
 
 def read(path: Path) -> dict[str, Any]:
-    """Read the fields of a model, which `LodModel` checks further; errors as in `fields` and `read_json`."""
+    """Read the fields of a model, which `MeasuredLevels` checks further; errors as in `fields` and `read_json`."""
     return fields(formats.read_json(path, NAME, VERSION), path)
 
 
-def fields(document: dict[str, Any], path: Path) -> dict[str, Any]:
-    """Decode a model's fields from a document that `document` made; FormatError for other or damaged documents."""
-    formats.check(document, NAME, VERSION, path)
+def fields(data: dict[str, Any], path: Path) -> dict[str, Any]:
+    """Decode a model's fields from the result of `encode_document`; FormatError for other or damaged documents."""
+    formats.check(data, NAME, VERSION, path)
     with formats.guarded(path):
-        levels, samples = document["levels"], document["samples"]
+        levels, samples = data["levels"], data["samples"]
         if not levels or levels[0]["curve"] is not None:
             raise ValueError("levels: expected the base first, which has no curve")
-        least, greatest = (check.at_least_zero("sigma", value) for value in document["sigma"])
-        return {name: document[name] for name in ("name", "center", "radius", "pixel", "measured")} | {
+        least, greatest = (check.at_least_zero("sigma", value) for value in data["sigma"])
+        return {name: data[name] for name in ("name", "center", "radius", "pixel", "measured")} | {
             "sigma": (least, greatest),
             "triangles": [check.integer("triangles", level["triangles"], 1, 2**62) for level in levels],
             "errors": [check.number("error", level["error"]) for level in levels],
@@ -87,12 +88,14 @@ def _curves(curves: list[dict[str, Any]]) -> Curve4PL:
 def _read_samples(samples: dict[str, Any]) -> Samples:
     sigma, score = _array("sigma", samples["sigma"], 1), _array("score", samples["score"], 2)
     if not (np.isfinite(sigma) & (sigma > 0)).all():
-        raise ValueError("samples: expected sizes above 0")
+        raise ValueError("samples: expected solid angles (sigma) above 0")
     if samples["views"] is None:
         return Samples(sigma, score)
     views = _array("views", samples["views"], 3, np.float32)
     if views.shape[:2] != score.shape:
-        raise ValueError(f"samples: expected views of {len(score)} levels at {len(sigma)} sizes, got {views.shape}")
+        raise ValueError(
+            f"samples: expected views of {len(score)} levels at {len(sigma)} solid angles, got {views.shape}"
+        )
     return Samples(sigma, score, views)
 
 

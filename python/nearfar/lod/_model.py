@@ -68,7 +68,7 @@ class LodModel(MeasuredLevels):
         target = check.path("path", path)
         if target.suffix.lower() == ".glb":
             raise ValueError(f"path: expected the name of a JSON file, got {target}; `export` writes GLB")
-        formats.write_json(target, _file.document(self))
+        formats.write_json(target, _file.encode_document(self))
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> LodModel:

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from nearfar._base import check
 from nearfar._scene.arrays import origin_for, transforms_of
-from nearfar._scene.levels import check_levels, kept_of, with_levels
+from nearfar._scene.levels import check_levels, notes_of, with_levels
 from nearfar._scene.names import Names, names_of
 from nearfar._scene.scene import Scene
 from nearfar._scene.serialize import empty_core
@@ -36,7 +36,7 @@ def place(
     Parameters
     ----------
     models
-        Models with geometry, in a sequence or by name, as returned by `measure`.
+        Models with geometry (`LodModel`), in a sequence or by name, as returned by `measure`.
     model_index
         Model of each of the N objects (N,): indices or, if `models` is a mapping, also names.
     transforms
@@ -65,12 +65,14 @@ def place(
     object_names = Names(count if given_names is None else given_names)
     movers = [dynamic] if isinstance(dynamic, str) else check.items("dynamic", dynamic, str, "names of objects")
     object_names.flags("dynamic", movers)  # rejects unknown names
-    new = check_levels(
+    checked = check_levels(
         object_names, range(count), [listed[number] for number in index.tolist()], frames, in_place=False
     )
     positions = frames[:, :3, 3]
     bounds = np.array([positions.min(axis=0), positions.max(axis=0)]) if count else np.zeros((2, 3))
     empty = empty_core(check.vector("origin", origin_for(bounds)))
-    core, placements, table = with_levels(empty, np.zeros((0, 3, 4)), None, count, new)
-    scene = Scene(core, object_names, frames=frames, load_placements=placements, table=table, **kept_of(new.models))
+    core, placements, table = with_levels(empty, np.zeros((0, 3, 4)), None, count, checked)
+    scene = Scene(
+        core, object_names, frames=frames, load_placements=placements, table=table, **notes_of(checked.models)
+    )
     return scene.with_dynamic(movers)

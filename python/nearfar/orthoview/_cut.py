@@ -75,8 +75,8 @@ class OrthoCut:
     """Distance beyond which leaves are drawn from views, metres; level k is drawn beyond 2ᵏ times this distance. It is
     shorter away from a gaze. For parallel rays it is the ratio of a leaf's pixel width in the picture to `error_px`."""
     unknown: list[tuple[int, Place]] = field(default_factory=list, repr=False)
-    """Tiers and places of subtrees that must still be read; until then coarser cells replace them. Empty in complete
-    cuts."""
+    """Tiers and places of subtrees whose records must still be read; until then coarser cells replace them. Empty in
+    complete cuts."""
     unbuilt: int = 0
     """Number of cells, as large as possible, that an unfinished build has not reached; they may be empty."""
 
@@ -108,7 +108,10 @@ class OrthoCut:
 
 
 class Cutter:
-    """Cuts a tree; `read` is called for the cells of a subtree, by its tier and place, when they are needed."""
+    """Cuts a tree; `read` is called for the cells of a subtree, by its tier and place, when they are needed.
+
+    Tier k has the subtrees whose lowest level is k times the levels of a subtree.
+    """
 
     def __init__(self, layout: Layout, read: Callable[[int, Place], Cells]) -> None:
         grid = layout.grid
@@ -123,7 +126,7 @@ class Cutter:
         return self._layout.grid
 
     def knows(self, tier: int, place: Place) -> bool:
-        """Whether a subtree has been read."""
+        """Whether the record of a subtree has been read."""
         return (tier, place) in self._known
 
     def with_guests(self, leaves: Sequence[Place]) -> list[Place]:
@@ -131,8 +134,8 @@ class Cutter:
         leaves_and_guests = [leaf for place in leaves for leaf in (place, *self._guests.get(place, []))]
         return list(dict.fromkeys(leaves_and_guests))
 
-    def learn(self, tier: int, place: Place) -> None:
-        """Read a subtree."""
+    def read_record(self, tier: int, place: Place) -> None:
+        """Read the record of a subtree: its cells and their guests."""
         cells = self._read(tier, place)
         self._guests |= cells.guests  # before the cells, since other threads may cut meanwhile
         self._cells.add(tier, place, [mask.reshape(-1) for mask in cells.masks])
@@ -174,7 +177,7 @@ class Cutter:
         while True:
             cut = self.cut(camera, settings, around=around)
             for tier, place in cut.unknown:
-                self.learn(tier, place)
+                self.read_record(tier, place)
             if not cut.unknown:
                 return cut
 

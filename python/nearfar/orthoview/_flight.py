@@ -177,7 +177,7 @@ class Flight(OrthoRenderable):
         seconds = clock.monotonic() if time is None else time
         with self._lock:
             plan = self._plan(shot.cameras, seconds)
-            pictures_to_draw = zip(shot.cameras, (plan.wanted, *plan.further_pictures), plan.unread, strict=True)
+            pictures_to_draw = zip(shot.cameras, (plan.wanted, *plan.further_pictures), plan.unknown, strict=True)
             pieces_by_picture = [self._choose_pieces(n, *picture) for n, picture in enumerate(pictures_to_draw)]
             self._trim(plan)
             parts_by_picture = [self._parts(pieces, movers) for pieces in pieces_by_picture]
@@ -239,12 +239,12 @@ class Flight(OrthoRenderable):
         self._had_requests = self._loader.waiting > 0
         return plan
 
-    def _choose_pieces(self, number: int, camera: Camera, parts_by_cell: PartsByCell, unread: int) -> PicturePieces:
-        """Choose the pieces for picture `number` of a shot; `unread` is the picture's entry in `Plan.unread`."""
+    def _choose_pieces(self, number: int, camera: Camera, parts_by_cell: PartsByCell, unknown: int) -> PicturePieces:
+        """Choose the pieces for picture `number` of a shot; `unknown` is the picture's entry in `Plan.unknown`."""
         pieces = self._stand_ins.choose_pieces(parts_by_cell, self._previous[number], np.array(camera.position))
         self._previous[number] = pieces
-        is_root_unread = unread > 0 and not parts_by_cell
-        return replace(pieces, missing=pieces.missing + unread, empty=pieces.empty + is_root_unread)
+        is_root_unknown = unknown > 0 and not parts_by_cell
+        return replace(pieces, missing=pieces.missing + unknown, empty=pieces.empty + is_root_unknown)
 
     def _parts(self, picture: PicturePieces, movers: Scene | None) -> Parts:
         splats = [layer for pieces in picture.cells.values() for piece in pieces for layer in self._splats(piece)]
@@ -291,7 +291,7 @@ class Flight(OrthoRenderable):
         if kind(part) == GEOMETRY:
             return viewer.near.load([place])
         if kind(part) == RECORD:
-            viewer.cutter.learn(level, place)
+            viewer.cutter.read_record(level, place)
         else:
             viewer.views.load([part])
             self._upload(part)

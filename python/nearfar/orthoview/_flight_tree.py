@@ -109,4 +109,4 @@ class FlightTree(RenderableTree):
             if not parts.unknown:
                 return parts
             for tier, place, _ in parts.unknown:
-                cutter.learn(tier, place)
+                cutter.read_record(tier, place)

@@ -2,8 +2,8 @@
 
 The format is that of bundles: meshopt compression, each mesh stored once with its placements, only properties of
 materials that nearfar draws, textures in separate WebP files. Positions are multiples of a step, relative to a point in
-the middle of the leaf. These points are an even number of steps apart, so that a corner is rounded alike in all leaves,
-and adjacent triangles of different leaves stay joined.
+the middle of the leaf. These points are an even number of steps apart, so that a corner is rounded alike in all leaves
+(ties are rounded to even), and adjacent triangles of different leaves stay joined.
 """
 
 from __future__ import annotations
@@ -99,7 +99,8 @@ def moving_glb(part: Scene, grid: Grid, place: Place, images: Images | None = No
     """Encode the moving triangles that belong to a leaf, in their present poses; see `cell_glb`.
 
     Each node is an instance with the name of its object. The `extras` also have `moving`, a row for each node in order:
-    its `object`, and unless they are the defaults its load `transform` and its placement at `rest`.
+    its `object`; and, where they are not the identity, `transform` (applied when the file was loaded) and `rest` (the
+    placement in the rest pose).
     """
     is_owned = _owned_triangles(part, grid, place, moving=True)
     if not is_owned.any():
@@ -165,7 +166,7 @@ def _encode(core: _core.Scene, step: float, images: Images | None, names: list[s
     uris: list[str | None] = [None] * core.texture_count
     if images is not None and uris:
         uris = [f"{IMAGES}/{images.add(texels)}" for texels in _core.scene_parts(core)["textures"]]
-    group = np.zeros(1, np.uint16)  # of all objects
+    group = np.zeros(1, np.uint16)  # all objects are in group 0: a single entry applies to all
     encoding: dict[str, Any] = {"step": step, "compressed": True}
     export = _core.Export(core, group, 1, names=names, images=uris, encoding=encoding)
     data, facts = export.glb(0, uris=[None] * len(export.shared()))

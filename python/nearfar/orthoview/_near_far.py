@@ -150,7 +150,7 @@ class NearFarTree(FlightTree, NearFarSource):
         cutter, side = self._viewer.cutter, self._layout.shard_side(0)
         for x, y, z in dict.fromkeys((x // side, y // side, z // side) for x, y, z in leaves):
             if not cutter.knows(0, (x, y, z)):
-                cutter.learn(0, (x, y, z))
+                cutter.read_record(0, (x, y, z))
 
     def _leaves_within(self, center: NDArray[np.float64], radius: float) -> list[Place]:
         """Places of leaves that reach within a radius of the vertical axis through a point, empty ones included."""

@@ -1,4 +1,7 @@
-"""Plans the reads of a client: parts of its picture's cut and of cuts along its motion, as fine as the link allows."""
+"""Plans what a client reads: the parts of the present cut, then those of cuts along its motion.
+
+A part is a view, the geometry of a leaf, or the record of a subtree. Cuts are as fine as the link allows.
+"""
 
 from __future__ import annotations
 
@@ -120,11 +123,11 @@ class Plan:
     order: list[Part]
     """Parts to read, the most urgent first; it may include parts already read."""
     error_px: float
-    """Greatest width of a view's pixels, in pixels of the picture, in the picture's cut."""
+    """Greatest width on screen, in pixels, of a splat of the cut."""
     further_pictures: list[PartsByCell] = field(default_factory=list)
     """Cells and parts of further pictures drawn at the same time."""
-    unread: list[int] = field(default_factory=list)
-    """Number of subtrees whose records each picture's cut still needs."""
+    unknown: list[int] = field(default_factory=list)
+    """Number of subtrees, for each picture's cut, whose records have not been read; see `OrthoCut.unknown`."""
     unbuilt: list[int] = field(default_factory=list)
     """Number of cells of each picture's cut that an unfinished build has not reached."""
 
@@ -142,8 +145,8 @@ class _QueueState:
 class Pilot:
     """Plans reads for a viewer."""
 
-    def __init__(self, cutter: Cutter, settings: Settings, ahead: PrefetchSettings) -> None:
-        self._cutter, self._settings, self._ahead = cutter, settings, ahead
+    def __init__(self, cutter: Cutter, settings: Settings, prefetch_settings: PrefetchSettings) -> None:
+        self._cutter, self._settings, self._prefetch_settings = cutter, settings, prefetch_settings
         self._motion = Motion()
         self.camera: Camera | None = None
         self._further_cameras: Sequence[Camera] = ()
@@ -153,7 +156,7 @@ class Pilot:
         self._coarsest: list[Part] = []
         self.meter = Meter()
         self.speed_limit = math.inf
-        """Speed that the link allows at the error of the settings, metres a second; higher far from small cells."""
+        """Speed that the link allows at the error of the settings, metres a second; greater where cells are large."""
 
     @property
     def settings(self) -> Settings:
@@ -161,7 +164,7 @@ class Pilot:
         return replace(self._settings, error_px=self._error)
 
     def switch_to(self, cutter: Cutter) -> None:
-        """Switch to a newer generation of the tree."""
+        """Switch to the tree as a running build has extended it."""
         self._cutter, self._queue_state = cutter, None
 
     def look(self, camera: Camera, time: float, further_cameras: Sequence[Camera] = ()) -> None:
@@ -176,7 +179,7 @@ class Pilot:
             raise RuntimeError("expected a look before a plan")
         records: list[Part] = []
         soon: list[Part] = []
-        if self._ahead.prefetch:
+        if self._prefetch_settings.prefetch:
             prefetched = self._queue(camera)
             records, soon = [*prefetched.unknown], [*prefetched.needed, *prefetched.soon]
         cut, next_parts = self._cut(camera, is_read)
@@ -191,8 +194,8 @@ class Pilot:
         parts = [part for cells in (parts_by_cell, *further_pictures) for part in chain(*cells.values())]
         order = [*records_of(cut), *self._coarsest, *records, *parts, *later]
         cuts = (cut, *further_cuts)
-        unread, unbuilt = [len(each.unknown) for each in cuts], [each.unbuilt for each in cuts]
-        return Plan(parts_by_cell, list(dict.fromkeys(order)), self._error, further_pictures, unread, unbuilt)
+        unknown, unbuilt = [len(each.unknown) for each in cuts], [each.unbuilt for each in cuts]
+        return Plan(parts_by_cell, list(dict.fromkeys(order)), self._error, further_pictures, unknown, unbuilt)
 
     def parts_of_cut(self, cut: OrthoCut) -> PartsByCell:
         """Cells of a picture's cut with the parts of each: leaves as geometry, then cells as views, by distance."""
@@ -201,7 +204,7 @@ class Pilot:
             parts.setdefault((level, place), []).append((level, place, direction))
         return parts
 
-    def _cut(self, camera: Camera, is_received: Callable[[Part], bool]) -> tuple[OrthoCut, list[Part]]:
+    def _cut(self, camera: Camera, is_read: Callable[[Part], bool]) -> tuple[OrthoCut, list[Part]]:
         """Return the cut at the present error, and the parts of the cut at the target error if that differs.
 
         The target error replaces the present one once all parts of its cut have been read, or at once if it is coarser
@@ -212,15 +215,15 @@ class Pilot:
             return current, []
         next_cut = self._cutter.cut(camera, replace(self._settings, error_px=self._target_error))
         next_parts = [*chain(*self.parts_of_cut(next_cut).values())]
-        is_read = all(map(is_received, next_parts)) and not next_cut.unknown
+        is_next_complete = all(map(is_read, next_parts)) and not next_cut.unknown
         is_coarser = self._target_error > self._error
-        if is_read or (is_coarser and not all(map(is_received, chain(*self.parts_of_cut(current).values())))):
+        if is_next_complete or (is_coarser and not all(map(is_read, chain(*self.parts_of_cut(current).values())))):
             self._error = self._target_error
             return next_cut, []
         return current, next_parts
 
     def _coarsest_views(self, camera: Camera) -> list[Part]:
-        """Coarsest views: parts of them replace any cell that has not been read."""
+        """Views of the coarsest cells, whose sections stand in for cells that have not been read."""
         coarsest = replace(self._settings, error_px=1e30, geometry=False)
         return self._cutter.cut(camera, coarsest, around=True).keys()
 
@@ -234,20 +237,20 @@ class Pilot:
             return old.queue
         course = self._motion.velocity / speed if speed > MIN_SPEED else None
         settings = self.settings
-        ahead = smallest_side(self._cutter.cut(camera, settings, around=True), self._cutter.grid)
+        distance = smallest_side(self._cutter.cut(camera, settings, around=True), self._cutter.grid)
         if course is not None:
-            ahead = min(ahead, speed * HORIZON_SECONDS)
-        seconds = min(ahead / speed, MAX_TURN_SECONDS) if speed > MIN_SPEED else MAX_TURN_SECONDS
-        cameras = [self._motion.extrapolate(seconds, offset) for offset in offsets(ahead, course)]
-        frustums = Frustums([camera, *cameras[:1]], self._ahead.margin)
+            distance = min(distance, speed * HORIZON_SECONDS)
+        seconds = min(distance / speed, MAX_TURN_SECONDS) if speed > MIN_SPEED else MAX_TURN_SECONDS
+        cameras = [self._motion.extrapolate(seconds, offset) for offset in offsets(distance, course)]
+        frustums = Frustums([camera, *cameras[:1]], self._prefetch_settings.margin)
         renewed = queue(self._cutter, settings, camera, cameras, frustums)
         self._queue_state = _QueueState(renewed, camera, self._error, speed)
-        if self._ahead.adapt and course is not None:
-            self._adapt(speed, (camera, self._motion.extrapolate(0.0, ahead * course)), ahead, frustums)
+        if self._prefetch_settings.adapt and course is not None:
+            self._adapt(speed, (camera, self._motion.extrapolate(0.0, distance * course)), distance, frustums)
         return renewed
 
     def _is_current(self, old: _QueueState, camera: Camera, speed: float) -> bool:
-        """Whether a queue lacks no records, and the error, position, direction and speed have hardly changed since."""
+        """Whether a queue is still good: it lacks no records, and error, camera and speed have hardly changed."""
         if old.queue.unknown or self._error != old.error_px:
             return False
         distance = np.linalg.norm(np.subtract(camera.position, old.camera.position))
@@ -270,6 +273,8 @@ class Pilot:
     def _speed_limit(self, ends: tuple[Camera, Camera], metres: float, frustums: Frustums, settings: Settings) -> float:
         """Speed at which the link delivers the parts that come into view between two cameras just in time."""
         cuts = (self._cutter.cut(camera, settings, around=True) for camera in ends)
-        now, ahead = (seen_parts(self._cutter, cut, camera, frustums) for cut, camera in zip(cuts, ends, strict=True))
-        size = sum(self.meter.bytes_of(part) for part in ahead.keys() - now.keys())
+        parts_now, parts_at_end = (
+            seen_parts(self._cutter, cut, camera, frustums) for cut, camera in zip(cuts, ends, strict=True)
+        )
+        size = sum(self.meter.bytes_of(part) for part in parts_at_end.keys() - parts_now.keys())
         return RATE_SHARE * self.meter.rate * metres / size if size > 0.0 else math.inf

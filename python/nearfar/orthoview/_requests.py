@@ -69,4 +69,4 @@ class FlightRequests:
         """Record that a part has arrived: later cuts use the cells of a subtree's record."""
         level, place, _ = part
         if kind(part) == RECORD:
-            self.opened.viewer.cutter.learn(level, place)
+            self.opened.viewer.cutter.read_record(level, place)

@@ -175,7 +175,7 @@ class Client:
         self._advance(time)
         plan = self._planner(camera, time, self._received, had_requests, self._cache.__contains__)
         parts = list(chain(*plan.wanted.values()))
-        unknown = sum(plan.unread[:1])
+        unknown = sum(plan.unknown[:1])
         missing = [part for part in parts if part not in self._cache]
         received_bytes = self._received_bytes
         for part in parts:

@@ -19,7 +19,7 @@ from nearfar._camera.clip import Clip
 from nearfar._camera.shot import Shot
 from nearfar._render.channels import VECTORS
 from nearfar._render.frame import Frame
-from nearfar._render.motion import Sight, motion
+from nearfar._render.motion import Viewpoint, motion
 from nearfar._render.renderable import Images, Renderable
 from nearfar._render.renderer import Renderer, View
 from nearfar._render.settings import require_defaults
@@ -225,8 +225,8 @@ class Passes:
             origin = check.vector("origin", self.view.drawn.origin)
             frame = Frame(camera, origin, position=images["position"], object_id=images.get("object_id"))
             earlier = self._cameras(before)[(*EYES, "center").index(name)]
-            now = Sight(camera, self.view.drawn, self.moment.head(self.rig))
-            images["motion"] = motion(frame, now, Sight(earlier, before.source, before.head(self.rig)), mask)
+            now = Viewpoint(camera, self.view.drawn, self.moment.head(self.rig))
+            images["motion"] = motion(frame, now, Viewpoint(earlier, before.source, before.head(self.rig)), mask)
 
     def _distances_to_eye(
         self, values: NDArray[np.float32], pixels: NDArray[np.uint32], camera: Camera, center: Camera

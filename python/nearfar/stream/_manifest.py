@@ -12,10 +12,10 @@ from nearfar._base import check, formats
 from nearfar.stream import _store
 from nearfar.stream._decode import Layout
 
-NAME, VERSION = "bundle", 1
+FORMAT, VERSION = "bundle", 1
 """Format name of the manifest without "nearfar.", and format version."""
 
-_NAME = re.compile(r"[\w.-]+", re.ASCII)
+_FILE_NAME = re.compile(r"[\w.-]+", re.ASCII)
 """Pattern of file names that are safe on every system and in every URL."""
 
 _HASH = re.compile("[0-9a-f]{64}")
@@ -40,7 +40,7 @@ def read(reader: _store.Reader) -> dict[str, Any]:
     data = reader.read(_store.MANIFEST)
     with formats.guarded(where):
         document = formats.from_json(data)
-    manifest = formats.check(document, NAME, VERSION, where)
+    manifest = formats.check(document, FORMAT, VERSION, where)
     with formats.guarded(where):
         _check(manifest)
     return manifest
@@ -76,7 +76,9 @@ def _check(manifest: dict[str, Any]) -> None:
     check.vector("bounds", low), check.vector("bounds", high)
     check.choice("color_space", manifest["color_space"], ("sRGB",))
     if check.choice("unit", manifest.get("unit", "object"), ("object", "triangle")) == "triangle":
-        raise ValueError("unit: expected whole objects, got a reduced scene for the page; ReducedScene.load reads it")
+        raise ValueError(
+            "unit: expected rings of objects, got a reduced scene for the page; read it with nearfar.ReducedScene.load"
+        )
     check.choice("morph", manifest["morph"]["kind"], ("cylinder",))
     if check.positive("near_share", manifest["morph"]["near_share"]) != NEAR_SHARE:
         raise ValueError(f"near_share: expected {NEAR_SHARE}, got {manifest['morph']['near_share']}")
@@ -92,7 +94,7 @@ def _check(manifest: dict[str, Any]) -> None:
     files = manifest["files"]
     for name, entry in files.items():
         folder, _, file_name = name.partition("/")
-        if folder != _store.FOLDER or file_name in ("", ".", "..") or not _NAME.fullmatch(file_name):
+        if folder != _store.FOLDER or file_name in ("", ".", "..") or not _FILE_NAME.fullmatch(file_name):
             raise ValueError(f"files: expected names below {_store.FOLDER}/, got {check.shortened(name)}")
         _check_file_entry(name, entry)
     _check_file_entry(_store.TILESET, manifest["tileset"])
@@ -141,6 +143,7 @@ def _check_by_footprint(entry: dict[str, Any], layout: Layout, files: dict[str, 
         _check_counts(portion)
         _check_geometry(portion, files)
     color, ranges = (entry["map"][name] for name in ("color", "range"))
+    # The colours are divided into files like those of ring 0, the ranges like those of a later ring.
     layout.check([{"color": color}, {"tiles": [], "color": None, "range": ranges}])
     _check_listed_files(color, files, "color")
     _check_listed_files(ranges, files, "range")

@@ -25,7 +25,7 @@ MIN_DISTANCE = 1e-3
 """Least distance between two centres, metres; about the step to which geometry is rounded."""
 
 RIGHT_ANGLE_COSINE = 1e-9
-"""Cosine below which an angle counts as right: grid corners lie on the circles up to rounding errors."""
+"""Cosine below which an angle counts as 90° or more, in spite of rounding: on a grid, right angles are common."""
 
 NEAREST_COUNT = 16
 """Number of nearest centres that are tested first, because they rule out almost all pairs."""
@@ -44,16 +44,21 @@ class BundleRegions:
 
     @cached_property
     def fold_margins(self) -> NDArray[np.float64]:
-        """(K,) horizontal distances in metres from each region's centre within which no picture of all rings folds.
+        """(K,) horizontal distances in metres from each region's centre, within which complete pictures do not fold.
 
-        Each margin is 0.7 of the last ring's radius, as `nearfar.fold_margin` returns it at O for kind="cylinder".
-        While a client shows a smaller radius, its margin is 0.7 of that radius.
+        A picture is complete once all rings are shown. Each margin is 0.7 of the last ring's radius, as
+        `nearfar.fold_margin` returns it at O for kind="cylinder". While a client shows a smaller radius, its margin is
+        0.7 of that radius.
         """
         return _read_only([region["fold_margin"] for region in self._regions])
 
     @property
     def findings(self) -> tuple[str, ...]:
-        """Reasons why the region may show little, a sentence each: its centre, empty rings, endless objects, units."""
+        """Reasons why the region may show little, a sentence each.
+
+        They are a badly placed centre, empty rings, objects that extend from ring 1 beyond the last ring, and a unit
+        other than the metre.
+        """
         return tuple(self._region["findings"])
 
     def neighbours(self, region: SupportsIndex) -> tuple[int, ...]:

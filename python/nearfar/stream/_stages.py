@@ -24,7 +24,7 @@ from nearfar.stream._by_footprint import Portions, encode_whole
 from nearfar.stream._detail import Detail, Splitting
 from nearfar.stream._encode import TILES_PER_ROW, Geometry, TextureFiles, encode_maps, scale_of
 from nearfar.stream._growth import Growth
-from nearfar.stream._manifest import EMPTY_RING, NAME, NEAR_SHARE, ORIENTATION, VERSION
+from nearfar.stream._manifest import EMPTY_RING, FORMAT, NEAR_SHARE, ORIENTATION, VERSION
 from nearfar.stream._map_files import RangeScale
 from nearfar.stream._maps import TILE, RingMaps, bake_maps
 from nearfar.stream._notes import findings_of
@@ -94,7 +94,7 @@ def export(
     neighbour_lists = neighbours(centers)
     reach = reach_of(grid, half_gap(centers, neighbour_lists))
     detail = Detail.from_options(scene.leveled, lod, options.pixels_per_degree, reach)
-    _store.check_target(path, f"nearfar.{NAME}")
+    _store.check_target(path, f"nearfar.{FORMAT}")
     splitting = Splitting.from_pixels(options.split_px, detail)
     scene = divide(scene)
     all_rings = rings_about(scene, centers, fixed_radii, splitting)
@@ -188,7 +188,7 @@ def manifest_of(
 ) -> dict[str, Any]:
     """Return the manifest of a bundle whose tileset is still empty."""
     return formats.header(
-        NAME,
+        FORMAT,
         VERSION,
         **facts,
         map={"face_size": face_size, "orientation": ORIENTATION, "tile": TILE, "across": TILES_PER_ROW},

@@ -251,11 +251,11 @@ impl Values<'_> {
 /// Copies values, because the crate exr has to own them.
 fn copy<T: Copy>(values: &[T], progress: &Progress) -> base::Result<Vec<T>> {
     /// Values between two checks for cancellation: milliseconds of copying.
-    const TILE: usize = 1 << 20;
+    const CHUNK: usize = 1 << 20;
     let mut owned = try_with_capacity(values.len())?;
-    for tile in values.chunks(TILE) {
+    for chunk in values.chunks(CHUNK) {
         progress.check()?;
-        owned.extend_from_slice(tile);
+        owned.extend_from_slice(chunk);
     }
     Ok(owned)
 }

@@ -26,7 +26,8 @@ const HEADER: &str = "\
 //   user           position U of the eye that the picture is for, same unit and axes; each eye has its own
 //   center         centre O of the reduction, from which the far map was baked, same unit and axes
 //   r1, r2         radii of the near zone and of all geometry, same unit
-//   strength       1; below it, near points move to where the centre sees them (0), so that they can appear smoothly
+//   strength       1 for the full morph. With less, near points move towards the direction in which the centre sees them,
+//                  and reach it at 0; a client raises it from 0 to 1, so that geometry appears without a jump
 // and of nearfar_range_cylinder:
 //   direction      unit vector in which the map is looked up
 //   range          value of the map: distance from the centre, same unit

@@ -113,7 +113,7 @@ pub fn halved_texture<'py>(
     rows.reshape([halved.height as usize, halved.width as usize, 4])
 }
 
-/// Side of a face and of a tile in texels, the listed tiles, and the step of the codes.
+/// Side of a face and of a tile in texels, the listed tiles, and the step of the codes, which are quantised ranges.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct LayoutArguments<'py> {
@@ -129,10 +129,10 @@ impl LayoutArguments<'_> {
     }
 }
 
-/// Codes, and the mask of changed texels.
+/// Codes (quantised ranges), and the mask of changed texels.
 type Decoded<'py> = (Array1<'py, u16>, Array1<'py, bool>);
 
-/// Encodes codes to byte planes: all texels, or only those that differ from the codes `before`.
+/// Encodes quantised ranges (codes) to byte planes: all texels, or only those that differ from the codes `before`.
 #[pyfunction]
 pub fn encode_ranges<'py>(
     py: Python<'py>,
@@ -148,7 +148,7 @@ pub fn encode_ranges<'py>(
     planes.iter().map(|plane| bytes_of(py, plane)).collect()
 }
 
-/// Decodes the codes of faces, and the mask of changed texels.
+/// Decodes the quantised ranges (codes) of faces, and the mask of changed texels.
 #[pyfunction]
 pub fn decode_ranges<'py>(
     py: Python<'py>,

@@ -82,18 +82,20 @@ pub fn mean_squared_errors(
 }
 
 /// Settings of a comparison: window, its size and σ, (c1, c2), the factor by which images are shrunk first, whether
-/// windows that reach beyond the image count, whether windows use only unmasked pixels, and whether the ranges of
-/// values are requested.
+/// to include windows across the image's border, whether windows ignore masked pixels, and whether the ranges of values
+/// are requested.
 type Settings = (String, usize, f64, (f64, f64), usize, bool, bool, bool);
 
-fn comparison((window, size, sigma, (c1, c2), shrink, all, hidden, ranges): Settings) -> Result<Comparison> {
+fn comparison(
+    (window, size, sigma, (c1, c2), shrink, includes_border, masks_windows, ranges): Settings,
+) -> Result<Comparison> {
     let window = match window.as_str() {
         "gaussian" => Window::gaussian(size, sigma),
         "uniform" => Window::uniform(size),
         "global" => Window::Global,
         _ => return Err(Error::value("window", "'gaussian', 'uniform' or 'global'", format!("'{window}'"))),
     };
-    Ok(Comparison { window, constants: Similarity { c1, c2 }, shrink, all, hidden, ranges })
+    Ok(Comparison { window, constants: Similarity { c1, c2 }, shrink, includes_border, masks_windows, ranges })
 }
 
 /// Sums of similarity and of pixels, the least and the greatest value of both images; and similarity maps.
@@ -133,7 +135,7 @@ pub fn similarity<'py>(
     })
 }
 
-/// Means of similarity and of its second factor at each scale, and the least and greatest value of both images.
+/// Means of similarity and of its contrast–structure factor at each scale, and the least and greatest value of both images.
 type AtScales = (Vec<[f64; 2]>, f64, f64);
 
 /// Compares each pair of images at each of `scales` scales.
@@ -174,10 +176,11 @@ pub fn discontinuity<'py>(
     Ok(map.into_pyarray(py))
 }
 
-/// Tears, and the mask of pixels whose neighbours lie on both sides.
+/// Tears, and the mask of pixels whose neighbourhoods are partly inside and partly outside the mask `side`.
 type Torn<'py> = (Array1<'py, f32>, Array1<'py, bool>);
 
-/// Tear of each pixel in pixels, as a flat array, and, if `side` is given, whether its neighbours lie on both sides.
+/// Tear of each pixel in pixels, as a flat array. `side` is a mask that divides the frame's surfaces, such as those with
+/// ρ > r₂; if it is given, also whether a pixel's neighbourhood is partly inside and partly outside it.
 #[pyfunction]
 #[pyo3(signature = (position, *, origin, camera, epsilon, side=None, mask=None, report=None))]
 pub fn tear<'py>(
@@ -193,11 +196,11 @@ pub fn tear<'py>(
     let (rows, width) = (position.as_slice()?.as_chunks::<3>().0, position.shape()[1]);
     let border = Border {
         side: side.as_ref().map(Read1::as_slice).transpose()?,
-        wanted: mask.as_ref().map(Read1::as_slice).transpose()?,
+        mask: mask.as_ref().map(Read1::as_slice).transpose()?,
     };
     let tears =
         run::long(py, report, |progress| metrics::tear(rows, origin, width, camera, epsilon, border, progress))?;
-    Ok((tears.tear.into_pyarray(py), tears.parted.into_pyarray(py)))
+    Ok((tears.tear.into_pyarray(py), tears.spans_sides.into_pyarray(py)))
 }
 
 /// Shares of visible objects and of their visible pixels; `None` without objects.

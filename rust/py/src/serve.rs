@@ -143,7 +143,7 @@ fn rooms(settings: &Bound<'_, PyAny>) -> PyResult<rooms::Rooms> {
 
 /// Creates a token for a room that expires at `ends`, in seconds since 1970; `number` must be unpredictable.
 #[pyfunction]
-pub fn room_token(room: &str, ends: u64, number: rooms::Number, key: PyBackedBytes) -> PyResult<String> {
+pub fn room_token(room: &str, ends: u64, number: rooms::TokenNumber, key: PyBackedBytes) -> PyResult<String> {
     let key = rooms::Key::new(&key).map_err(PyValueError::new_err)?;
     Ok(key.token(room, ends, number))
 }

@@ -1,7 +1,7 @@
 //! Bindings of `tessellate`.
 
 use glam::DVec3;
-use nearfar_core::tessellate::{self, Precision, Rule, Settings, Stages};
+use nearfar_core::tessellate::{self, Precision, Rule, ServedMorphs, Settings};
 use numpy::IntoPyArray;
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict};
@@ -9,14 +9,14 @@ use pyo3::types::{IntoPyDict, PyDict};
 use crate::convert::{Read1, Read2, Report, array_of_rows, run};
 use crate::scene::Scene;
 
-/// Settings by their public names; `stages` has the least radius of a cylinder's growth, and whether it has full
-/// strength; `chosen` has a flag for each object of a scene, then one for the faces without an object.
+/// Settings by their public names; `grown` has the least radius of a growing cylinder, and whether its strength is
+/// always 1; `chosen` has a flag for each object of a scene, then one for the faces without an object.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct SplitArguments<'py> {
     center: [f64; 3],
     radii: [f64; 2],
-    stages: Option<(f64, bool)>,
+    grown: Option<(f64, bool)>,
     reach: f64,
     tolerance: f64,
     #[pyo3(default)]
@@ -28,11 +28,11 @@ impl SplitArguments<'_> {
     fn convert(&self, origin: DVec3) -> Settings {
         let Self { radii: [r1, r2], reach, tolerance, .. } = *self;
         // With a cylinder, points beyond r₂ move along the ray.
-        let (stages, drawn) = match self.stages {
-            Some((least, is_full)) => (Stages::Cylinder { least, is_full }, f64::INFINITY),
-            None => (Stages::Blend, r2),
+        let (served, drawn) = match self.grown {
+            Some((least, is_full)) => (ServedMorphs::Cylinder { least, is_full }, f64::INFINITY),
+            None => (ServedMorphs::Blend, r2),
         };
-        Settings { center: DVec3::from_array(self.center) - origin, r1, r2, drawn, reach, tolerance, stages }
+        Settings { center: DVec3::from_array(self.center) - origin, r1, r2, drawn, reach, tolerance, served }
     }
 }
 

@@ -144,7 +144,7 @@ impl PendingGate {
     }
 }
 
-/// Bytes of a user's frames that are read at once.
+/// Bytes of a user's messages that are read at once.
 pub const READ_BYTES: usize = 1 << 12;
 /// Consecutive messages, or pieces of a stream, before other connections get their turn.
 pub const MAX_CONSECUTIVE: usize = 16;

@@ -59,7 +59,7 @@ export function createPanel(root: HTMLElement, home: () => void) {
       const put = (name: keyof typeof NAMES, text: string): void => write(values.get(name) as HTMLElement, text);
       put('frame', milliseconds(frame));
       // Splats in the picture, then those of unoccluded parts.
-      put('splats', count(facts.splats) + (facts.unhidden === null ? '' : `, ${count(facts.unhidden)} drawn`));
+      put('splats', count(facts.splats) + (facts.drawnSplats === null ? '' : `, ${count(facts.drawnSplats)} drawn`));
       put('views', facts.standIns > 0 ? `${facts.views}, ${facts.standIns} coarser` : String(facts.views));
       const unbuilt = facts.unbuilt > 0 ? `, ${count(facts.unbuilt)} cells not built yet` : '';
       put('waiting', (facts.waiting > 0 ? `${facts.waiting} views` : 'nothing') + unbuilt);

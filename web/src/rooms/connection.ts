@@ -46,10 +46,10 @@ export function connect(settings: ConnectionSettings) {
   let closingSocket: Socket | null = null;
   let ticket = settings.ticket ?? new Uint8Array();
   let delay: number = MIN_DELAY;
-  let [enteredAt, sequence] = [0, 0];
+  let [connectedAt, sequence] = [0, 0];
   let cancelTimer = (): void => undefined;
   /** Other users who receive this user's poses. */
-  const peers = new Set<number>();
+  const groupMembers = new Set<number>();
   /** Greatest sequence number received from each present user. */
   const newestSequences = new Map<number, number>();
 
@@ -62,11 +62,11 @@ export function connect(settings: ConnectionSettings) {
     cancelTimer();
     setState({ kind: 'joining' });
     // Otherwise the hello could overtake the bye, while the user's token is still in use.
-    if (closingSocket) cancelTimer = later(CLOSE_TIMEOUT, enter);
-    else enter();
+    if (closingSocket) cancelTimer = later(CLOSE_TIMEOUT, openConnection);
+    else openConnection();
   }
 
-  function enter(): void {
+  function openConnection(): void {
     cancelTimer();
     closingSocket = null;
     const opening = open(relayOf(page, address), {
@@ -82,7 +82,7 @@ export function connect(settings: ConnectionSettings) {
           end(endOfCode(code, state.kind === 'here'));
         } else if (closingSocket === opening) {
           closingSocket = null;
-          if (state.kind === 'joining') enter();
+          if (state.kind === 'joining') openConnection();
         }
       },
     });
@@ -109,19 +109,19 @@ export function connect(settings: ConnectionSettings) {
     if (frame.kind === 'welcome') {
       cancelTimer();
       ticket = frame.ticket;
-      enteredAt = time;
-      peers.clear();
+      connectedAt = time;
+      groupMembers.clear();
       newestSequences.clear();
       roundTrips.forget();
       setState({ kind: 'here', user: frame.user });
     } else if (frame.kind === 'joined') {
       newestSequences.set(frame.user, -1);
-      if (frame.group === address.group) peers.add(frame.user);
+      if (frame.group === address.group) groupMembers.add(frame.user);
     } else if (frame.kind === 'left') {
-      peers.delete(frame.user);
+      groupMembers.delete(frame.user);
       newestSequences.delete(frame.user);
       // Nobody settles the open round trips now; a later user would settle them too late.
-      if (peers.size === 0) roundTrips.forget();
+      if (groupMembers.size === 0) roundTrips.forget();
     } else if (frame.kind === 'settled') roundTrips.settle(frame.sequence, time);
     else if (frame.kind === 'pose' && frame.pose.isAcknowledged) {
       send({ kind: 'ack', user: frame.user, sequence: frame.pose.sequence }, !frame.pose.stops);
@@ -157,7 +157,7 @@ export function connect(settings: ConnectionSettings) {
   }
 
   function end({ message, isFinal }: End): void {
-    const wasStable = state.kind === 'here' && now() - enteredAt >= STABLE_SECONDS;
+    const wasStable = state.kind === 'here' && now() - connectedAt >= STABLE_SECONDS;
     closeSocket();
     if (isFinal) return setState({ kind: 'ended', words: message });
     const seconds = wasStable ? MIN_DELAY : delay;
@@ -182,7 +182,7 @@ export function connect(settings: ConnectionSettings) {
       const time = now();
       sequence += 1;
       // Only other users can acknowledge a pose.
-      const isAcknowledged = peers.size > 0 && roundTrips.send(sequence, time, stops);
+      const isAcknowledged = groupMembers.size > 0 && roundTrips.send(sequence, time, stops);
       const clock = BigInt(Math.round(1e6 * time));
       send({ kind: 'pose', pose: { ...body, sequence, clock, isAcknowledged, stops } }, !stops);
       return true;
@@ -223,9 +223,9 @@ function createRoundTrips() {
       return sorted[sorted.length >> 1] ?? null;
     },
     /**
-     * Records a pose that is about to be sent; returns whether others should acknowledge it. They should acknowledge the
-     * last pose before a pause if an earlier one is open: its acknowledgement may be lost, and it would then stay open
-     * until the pause ends.
+     * Records a pose that is about to be sent; returns whether others should acknowledge it. If an earlier pose is still
+     * open, the last one before a pause is acknowledged too: otherwise, if the earlier acknowledgement was lost, that
+     * round trip would stay open through the pause.
      */
     send(sequence: number, now: number, isLast: boolean): boolean {
       if (now - last < ACKNOWLEDGE_INTERVAL && !(isLast && open.size > 0)) return false;

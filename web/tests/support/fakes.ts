@@ -1,4 +1,4 @@
-/** Fakes of those parts of a browser that controls use and Node lacks. */
+/** Fakes of browser parts that `src/control` uses and that Node lacks. */
 
 /** Element of 800 × 600 pixels that records captured pointers. */
 export interface FakeElement extends HTMLElement {

@@ -13,7 +13,7 @@ from nearfar._base.check.describe import type_and_value
 from nearfar._base.check.numbers import is_masked
 
 FARTHEST = 1e30
-"""Greatest coordinate of a position, metres; squares of greater distances overflow float32, and nothing is drawn."""
+"""Greatest coordinate of a position, metres, as in the core: beyond it, float32 rays overflow and miss the geometry."""
 
 _UNCHECKED_BYTES = 1 << 30
 """Size in bytes up to which arrays are not checked, because every machine has as much memory."""
@@ -62,7 +62,7 @@ def plain(name: str, value: ArrayLike) -> NDArray[Any]:
     """Convert an argument to an array of any type.
 
     TypeError for masked values, which would lose their mask. ValueError for rows of unequal length. MemoryError for
-    views that repeat their memory so often that a copy would exceed the machine's.
+    broadcast arrays (stride 0) whose copy would not fit into the machine's memory.
     """
     if is_masked(value):
         raise TypeError(f"{name}: expected an array without masked values, got one with a mask")

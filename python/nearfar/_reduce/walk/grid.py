@@ -34,7 +34,7 @@ class Grid:
     origin: tuple[float, float]
     """Position of one centre."""
     turn: float
-    """Angle in radians from x towards z of the rows, in which neighbours are `spacing` apart."""
+    """Direction of the rows, along which neighbours are `spacing` apart: angle in radians from the x axis towards z."""
     spacing: float
     """Distance of neighbours; every point is within spacing / √3 of a centre."""
 
@@ -81,10 +81,10 @@ class Grid:
         return begin, end
 
     def cells_of_path(self, path: Floats) -> tuple[Cells, Floats]:
-        """Return the cells (K, 2) that the straight pieces of a path visit, in order of first visit, and values (K, 3).
+        """Return the cells (K, 2) that the straight pieces of a path visit, in order of first visit, and spans (K, 3).
 
-        `path` is (N, 3) as x, height, z. The values of a cell are the path's least and greatest height in it, and the
-        position of the first visit: the number of the piece plus the parameter along it.
+        `path` is (N, 3) as x, height, z. The span of a cell is (least height, greatest height, first visit) of the path
+        in it; the first visit is the number of the piece plus the parameter along it.
         """
         starts, ends = (path[:-1], path[1:]) if len(path) > 1 else (path, path)
         visits: list[tuple[Cells, Floats]] = []
@@ -98,9 +98,9 @@ class Grid:
             low, high = starts[piece, 1], ends[piece, 1]
             heights = np.sort(np.column_stack([low + begin * (high - low), low + end * (high - low)]), axis=1)
             visits.append(_merge(cells[is_inside], np.column_stack([heights, piece + begin])))
-        cells, facts = _merge(*(np.concatenate(parts) for parts in zip(*visits, strict=True)))
-        order = np.argsort(facts[:, 2], kind="stable")
-        return cells[order], facts[order]
+        cells, spans = _merge(*(np.concatenate(parts) for parts in zip(*visits, strict=True)))
+        order = np.argsort(spans[:, 2], kind="stable")
+        return cells[order], spans[order]
 
     def cells_of_area(self, corners: Floats) -> Cells:
         """Cells (K, 2) that intersect a polygon with corners (N, 2), N ≥ 3."""
@@ -118,7 +118,8 @@ def grids(outline: Floats, spacing: float) -> list[Grid]:
     """Candidate grids (x, z) for an outline (N, 2) of straight pieces.
 
     The rows of each grid run along a long piece, with a centre on it. Such a grid needs the fewest cells for a straight
-    walk, and a change to the next centre in walking direction causes no jump.
+    walk. A user who looks ahead sees almost no jump where the next centre takes over, because the centre then moves in
+    the direction of view (docs/walk.md).
     """
     starts, ends = (outline[:-1], outline[1:]) if len(outline) > 1 else (outline, outline)
     lengths = np.hypot(*(ends - starts).T)
@@ -157,12 +158,12 @@ def _samples(starts: Floats, ends: Floats, step: float) -> list[tuple[NDArray[np
     return blocks
 
 
-def _merge(cells: Cells, facts: Floats) -> tuple[Cells, Floats]:
-    """Merge duplicate cells: minimum of their first values, maximum of the second, minimum of the third."""
+def _merge(cells: Cells, spans: Floats) -> tuple[Cells, Floats]:
+    """Merge duplicate cells: minimum of the least heights, maximum of the greatest, minimum of the first visits."""
     unique, rows = np.unique(cells, axis=0, return_inverse=True)
     joined = np.tile([np.inf, -np.inf, np.inf], (len(unique), 1))
     for column, ufunc in enumerate((np.minimum, np.maximum, np.minimum)):
-        ufunc.at(joined[:, column], rows.ravel(), facts[:, column])
+        ufunc.at(joined[:, column], rows.ravel(), spans[:, column])
     return unique, joined
 
 

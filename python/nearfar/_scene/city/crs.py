@@ -113,5 +113,5 @@ class Geodetic:
         return earth_points @ to_local[:3, :3].T + to_local[:3, 3]
 
 
-Ground = Projected | Geodetic
+Georeference = Projected | Geodetic
 """Converts points and heights to world positions."""

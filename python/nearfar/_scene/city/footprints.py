@@ -11,7 +11,7 @@ from nearfar import _core
 from nearfar._scene.arrays import origin_for, touching
 from nearfar._scene.city import heights
 from nearfar._scene.city.collector import CROSSING
-from nearfar._scene.city.crs import Geodetic, Ground, Projected
+from nearfar._scene.city.crs import Geodetic, Georeference, Projected
 from nearfar._scene.city.outlines import Table
 from nearfar._scene.content import Content, Nodes, Shape, translation
 from nearfar._scene.frames import checked_origin
@@ -39,7 +39,7 @@ class Footprints:
         self._outlines, invalid_count = table.outlines.validate(drop=options.drops, degrees=table.degrees)
         self.count = len(self._outlines.features) - 1
         """Number of features, including those without polygons."""
-        self.ground = _ground(table, self._outlines.points, checked_origin(options.origin))
+        self.ground = _georeference(table, self._outlines.points, checked_origin(options.origin))
         self._low, self._high, unknown_count = _extents(table, options.height, self.count)
         names = table.columns.texts(None)
         self.names: Sequence[str] | int = self.count if names is None else distinct(names)
@@ -114,7 +114,7 @@ class Footprints:
         return boxes
 
 
-def _ground(table: Table, points: NDArray[np.float64], origin: tuple[float, float, float] | None) -> Ground:
+def _georeference(table: Table, points: NDArray[np.float64], origin: tuple[float, float, float] | None) -> Georeference:
     if not table.degrees:
         return Projected(table.system, table.metres)
     return Geodetic.frame_centred_on(points) if origin is None else Geodetic(*origin)

@@ -70,7 +70,7 @@ def _outlines(file: Any, name: str, budget: Budget) -> tuple[Outlines, int]:
         row_count += batch.num_rows
         skipped += skipped_in_batch
         # A page of equal rows compresses to a few bytes, whatever its number of rows.
-        budget.hold(len(outlines.points) * _POINT_BYTES + batch.num_rows * _FEATURE_BYTES)
+        budget.count_arrays(len(outlines.points) * _POINT_BYTES + batch.num_rows * _FEATURE_BYTES)
         parts.append(outlines)
     return concatenate(parts), skipped
 

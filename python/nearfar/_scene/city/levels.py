@@ -39,6 +39,7 @@ def parse_max_level(lod: str | float) -> float:
         level = level_of(lod, "lod")
     except UnusableError as error:
         raise ValueError(str(error)) from None
+    # 2, 2.0, "2" and "2.0" include all of 2.x; "2.00" names the level 2 itself.
     return level + _NEXT if level == int(level) and "." not in str(lod).removesuffix(".0") else level
 
 
@@ -62,7 +63,7 @@ class Levels:
             if levels := [level for level, _, _ in usable[name] if level <= self._max_level]:
                 best[name] = max(levels)
             elif usable[name]:
-                self._omissions["object", "without a level that low left out"] += 1
+                self._omissions["object", "left out: no level up to the limit"] += 1
         for name, item in objects.items():
             if name not in best:
                 continue

@@ -132,7 +132,7 @@ class Buffers:
         key = _range(_stream(view_entry) or view_entry)
         if key not in self._blobs:
             data = self.view(view)
-            self._budget.hold(len(data))
+            self._budget.count_arrays(len(data))
             self._blobs[key] = bytes(data)
         return self._blobs[key]
 
@@ -192,7 +192,7 @@ class Buffers:
         else:
             if count < 0:
                 raise IndexError(f"{count} rows")
-            self._budget.hold(count * width * kind.itemsize)
+            self._budget.count_arrays(count * width * kind.itemsize)
             rows = np.zeros((count, width), kind)
         sparse = accessor.get("sparse")
         return self._apply_sparse(rows, sparse) if sparse else rows
@@ -203,7 +203,7 @@ class Buffers:
         new_values = self._rows(values["bufferView"], values.get("byteOffset", 0), rows.dtype, count, rows.shape[1])
         if len(changed) and not 0 <= int(changed.min()) <= int(changed.max()) < len(rows):
             raise UnusableError(f"a sparse accessor changes a row that does not exist among its {len(rows)}")
-        self._budget.hold(rows.nbytes)
+        self._budget.count_arrays(rows.nbytes)
         rows = rows.copy()
         rows[changed] = new_values
         return rows
@@ -252,7 +252,7 @@ def _decode(number: int, view: dict[str, Any], stream: dict[str, Any], data: mem
         raise UnusableError(f"its buffer view {number} has {count} rows of {stride} bytes")
     if view.get("byteStride", stride) != stride:
         raise UnusableError(f"its buffer view {number} has rows of {view['byteStride']} bytes, and {stride} compressed")
-    budget.take(count * stride)
+    budget.count_unpacked(count * stride)
     try:
         words = _core.decode_meshopt(
             np.frombuffer(data, np.uint8), count, stride, stream["mode"], stream.get("filter", "NONE")

@@ -102,7 +102,7 @@ def decode(header: dict[str, Any], primitive: dict[str, Any], data: bytes, budge
     count = min(max(0, int(accessors["POSITION"]["count"])), _CORNERS * face_count)
     width = sum(component(item).itemsize * WIDTHS[item["type"]] for item in accessors.values())
     size = _FACE_BYTES * face_count + width * count
-    budget.take(_DECODER_FACTOR * size)
+    budget.count_unpacked(_DECODER_FACTOR * size)
     stream = _decode_stream(data, size, face_count)
     if len(stream.faces) != face_count:
         raise _flaw(f"has {len(stream.faces)} triangles instead of the stated {face_count}")
@@ -114,7 +114,7 @@ def decode(header: dict[str, Any], primitive: dict[str, Any], data: bytes, budge
         if column.ndim not in (1, 2) or len(column) != len(stream.rows[identities["POSITION"]]):
             raise _flaw(f"has {len(column)} rows of {name}, but another number of rows of POSITION")
         rows[number] = _convert(name, column.reshape(len(column), -1), accessors[name])
-    budget.hold(max(0, sum(item.nbytes for item in rows.values()) - width * count))
+    budget.count_arrays(max(0, sum(item.nbytes for item in rows.values()) - width * count))
     return DracoMesh(stream.faces, rows)
 
 

@@ -74,7 +74,7 @@ def decode(data: bytes, budget: Budget) -> NDArray[np.uint8]:
     All sizes are counted before anything is decoded. Integers are sRGB, as in glTF; floats are linear.
     """
     header = _header(data)
-    budget.take(4 * header.width * header.height + header.unpacked)
+    budget.count_unpacked(4 * header.width * header.height + header.unpacked)
     is_basis = header.model in _MODELS and header.format == 0
     texels = _decode_basis(data, header) if is_basis else _decode_pixels(data, header)
     return texels[::-1] if header.is_flipped else texels

@@ -286,7 +286,7 @@ def _transforms_of_node(
     (count,) = set(counts.values())
     # Many nodes may use the same arrays. A mesh of several primitives is placed once for each of them.
     primitives = entry(header, "meshes", header["nodes"][number]["mesh"])["primitives"]
-    budget.hold(max(0, count) * len(primitives) * INSTANCE_BYTES)
+    budget.count_arrays(max(0, count) * len(primitives) * INSTANCE_BYTES)
     translations, quaternions, scales = (_instance_rows(n, count, attributes, buffers) for n in _INSTANCE_DEFAULTS)
     return compose_transforms(translations, _rotations(quaternions), scales)
 

@@ -89,7 +89,7 @@ class Primitives:
                     change = stored_rows(f"{name} of a morph target", target[name], width)
                     if len(change) != len(rows):
                         raise UnusableError(f"expected {len(rows)} rows of {name} of a morph target, got {len(change)}")
-                    self._budget.hold(8 * rows.size)
+                    self._budget.count_arrays(8 * rows.size)
                     rows = rows.astype(np.float64) + weight * change
             return rows
 
@@ -115,7 +115,7 @@ class Primitives:
             colors = colors if variant.tint == WHITE else _apply_tint(colors, variant.tint)
             shape.colors = colors_of(colors, len(vertices), linear=True)
         arrays = (shape.vertices, shape.faces, shape.normals, shape.uvs, shape.colors)
-        self._budget.hold(sum(rows.nbytes for rows in arrays if rows is not None))
+        self._budget.count_arrays(sum(rows.nbytes for rows in arrays if rows is not None))
         return shape
 
     def _pose(self, shape: Shape, skin: int, numbers: dict[str, int], stored_rows: _Rows) -> None:

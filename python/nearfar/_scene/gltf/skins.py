@@ -47,7 +47,7 @@ class Skins:
         weights = np.concatenate([rows_of(name, attributes[name], _INFLUENCES) for name in weight_sets], axis=1)
         size = len(indices) * _VERTEX_BYTES + weights.size * 8
         # The arrays are freed after each mesh, so only those of the largest mesh count.
-        self._budget.hold(max(0, size - self._held_bytes))
+        self._budget.count_arrays(max(0, size - self._held_bytes))
         self._held_bytes = max(self._held_bytes, size)
         weights = weights.astype(np.float64)
         total = weights.sum(axis=1)
@@ -74,7 +74,8 @@ class Skins:
             if "inverseBindMatrices" in skin_entry:
                 rows = self._buffers.raw(skin_entry["inverseBindMatrices"]).astype(np.float64)
                 if len(rows) < len(matrices) or rows.shape[1] != _MATRIX:
-                    raise UnusableError(f"its skin {skin} has {len(matrices)} joints, and other inverse bind matrices")
+                    got = f"{len(rows)} inverse bind matrices of {rows.shape[1]} numbers"
+                    raise UnusableError(f"its skin {skin} has {len(matrices)} joints, but {got}")
                 matrices = matrices @ rows[: len(matrices)].reshape(-1, 4, 4).transpose(0, 2, 1)
             self._joints[skin] = matrices[:, :3]
         return self._joints[skin]

@@ -86,12 +86,12 @@ def read_stored(
     faces = np.array([row for number, mesh in meshes.items() for row in reader.of_mesh(number, mesh)], np.int64)
     if not len(faces):
         return None, []
-    budget.hold(_bytes(rows, faces))
+    budget.count_arrays(_bytes(rows, faces))
     numbers, mesh = np.unique(faces[:, 0], return_inverse=True)
     core = _core.StoredMeshes(rows.blocks, rows.rows, np.column_stack([mesh, faces[:, 1:]]))
-    is_fit = core.fit()
-    if not is_fit.all():
-        core, numbers, faces = core.only(np.flatnonzero(is_fit)), numbers[is_fit], faces[is_fit[mesh]]
+    is_usable = core.usable()
+    if not is_usable.all():
+        core, numbers, faces = core.only(np.flatnonzero(is_usable)), numbers[is_usable], faces[is_usable[mesh]]
         mesh = np.unique(faces[:, 0], return_inverse=True)[1]
     return (Stored(core, [], mesh, faces[:, 6], [*reader.surfaces]), numbers.tolist()) if len(faces) else (None, [])
 

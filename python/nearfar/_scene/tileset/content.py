@@ -107,7 +107,7 @@ class Reader:
         else:
             raise UnusableError(f"it states the format {parts.format} of its model, and 0 and 1 are known")
         nodes = model.nodes
-        self.budget.hold(len(placed) * len(nodes.objects) * INSTANCE_BYTES)
+        self.budget.count_arrays(len(placed) * len(nodes.objects) * INSTANCE_BYTES)
         transforms = (placed[:, None] @ nodes.transforms[None]).reshape(-1, 4, 4)
         is_single = len(nodes.objects) == 1
         objects = [str(n) if is_single else f"{n}/{node}" for n in range(len(placed)) for node in nodes.objects]

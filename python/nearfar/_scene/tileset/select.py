@@ -70,8 +70,8 @@ def by_error(
     """Select tiles with content that show a tileset within a geometric error in metres, in document order.
 
     An error of 0 refines every tile with children. Tiles that do not touch the requested part of the world are left
-    out; children of `unrefined` tiles cannot be shown. With `refines_empty`, tiles without content are always refined,
-    otherwise only if nothing would be shown.
+    out; children of `unrefined` tiles cannot be shown. Tiles without content are refined only if nothing would be shown
+    otherwise, or always with `refines_empty`.
     """
     visits = Visits(touches)
     selected: list[Tile] = []
@@ -92,7 +92,7 @@ def by_error(
     return Selection(selected, worst)
 
 
-def has_shown(root: Tile, touches: Touches) -> bool:
+def touches_full_detail(root: Tile, touches: Touches) -> bool:
     """Whether a tile that shows content in full detail touches the requested part."""
     visits = Visits(touches)
     pending = visits.touching([root])
@@ -138,7 +138,10 @@ def by_triangles(
             heapq.heappush(heap, (-tile.error, next(order), tile))
 
     def readable(tiles: Sequence[Tile], *, descends: bool) -> dict[Tile, int] | None:
-        """Tiles with content, and their triangles. Children replace an unreadable tile if `descends`, else None."""
+        """Return the number of triangles of each tile with content; empty if no tile touches the part.
+
+        An unreadable tile is replaced by its children if `descends`; otherwise the result is None.
+        """
         readable_sizes: dict[Tile, int] = {}
         pending = _with_content(visits.touching(tiles), visits)
         while pending:

@@ -91,7 +91,7 @@ class Tileset:
         """
         touches = select.box_test(box, self.frame.to_scene)
         try:
-            return select.has_shown(self.root, touches)
+            return select.touches_full_detail(self.root, touches)
         except (UnusableError, OSError):
             return True
 

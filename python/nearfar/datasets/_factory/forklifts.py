@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from nearfar.datasets._draw import Draw, xyz
 from nearfar.datasets._factory import parts, storage
+from nearfar.datasets._random import RandomStream, xyz
 from nearfar.datasets._shapes import Soup, bars, boxes, join, lathe, tube
 from nearfar.datasets._stage import Stage, placements
 
@@ -20,7 +20,7 @@ def build(stage: Stage, seed: int, detail: int) -> list[str]:
     for number, (x, z, quarter) in enumerate(_PARKED):
         soup = forklift(detail)
         if number % 2 == 0:
-            soup = join([soup, storage.pallet(Draw(seed, 95, number), detail).translate([0.0, 0.26, 1.72])])
+            soup = join([soup, storage.pallet(RandomStream(seed, 95, number), detail).translate([0.0, 0.26, 1.72])])
         names.append(f"forklift_{number}")
         stage.many(soup, placements(x, 0.0, z, quarter), names[-1:], moves=True)
     return names

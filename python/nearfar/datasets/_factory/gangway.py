@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from nearfar.datasets._draw import xyz
 from nearfar.datasets._factory import parts
+from nearfar.datasets._random import xyz
 from nearfar.datasets._shapes import Soup, bars, boxes, join, loft
 from nearfar.datasets._stage import Stage, placements
 

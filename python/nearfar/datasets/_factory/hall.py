@@ -11,7 +11,6 @@ import numpy as np
 from nearfar._base import check
 from nearfar._scene.scene import Scene
 from nearfar.datasets import _textures as textures
-from nearfar.datasets._draw import Draw
 from nearfar.datasets._factory import (
     forklifts,
     gangway,
@@ -25,6 +24,7 @@ from nearfar.datasets._factory import (
     storage,
     tanks,
 )
+from nearfar.datasets._random import RandomStream
 from nearfar.datasets._shapes import Soup
 from nearfar.datasets._stage import Stage, placements
 
@@ -102,19 +102,19 @@ def _machines(stage: Stage, seed: int, detail: int) -> None:
     for kind, (letter, variants, make, name) in enumerate(makers):
         slots = [slot for slot in plan.slots() if slot.kind == letter]
         transforms = placements([s.x for s in slots], 0.0, [s.z for s in slots], [s.quarter for s in slots])
-        variant = Draw(seed, 96, kind).integers(len(slots), variants)
+        variant = RandomStream(seed, 96, kind).integers(len(slots), variants)
         stage.mixed(functools.partial(make, detail=detail), variant, transforms, name, counts[name])
         counts[name] += len(slots)
 
 
 def _robots(stage: Stage, seed: int, detail: int) -> None:
     """Add robots with their conveyors, the cartons on these, and fences in front."""
-    draw = Draw(seed, 97)
+    random = RandomStream(seed, 97)
     slots = [slot for slot in plan.slots() if slot.kind == "R"]
     x, z, quarters = np.array([(slot.x, slot.z, slot.quarter) for slot in slots]).T
     front = np.where(quarters == 0.0, 1.0, -1.0)
     robot = functools.partial(robots.robot, detail=detail)
-    stage.mixed(robot, draw.integers(len(slots), 4), placements(x, 0.0, z - 0.8 * front, quarters), "robot")
+    stage.mixed(robot, random.integers(len(slots), 4), placements(x, 0.0, z - 0.8 * front, quarters), "robot")
     # Five slots share a conveyor, which is as long as their block.
     starts = np.arange(-14.0, 14.0, 2.0)
     x, z, front = (x[2::5, None] + starts).ravel(), np.repeat(z[2::5], len(starts)), np.repeat(front[2::5], len(starts))
@@ -123,9 +123,9 @@ def _robots(stage: Stage, seed: int, detail: int) -> None:
     if detail == 0:
         return
     stage.many(robots.fence(detail), placements(x, 0.0, z + 2.2 * front), "fence")
-    x, z = x + draw.uniform(len(x), 0.5, 1.5), belt_z + draw.uniform(len(x), -0.08, 0.08)
-    transforms = placements(x, robots.DECK, z, draw.uniform(len(x), -0.03, 0.03))
-    variant = np.where(draw.uniform(len(x)) < 0.75, draw.integers(len(x), 4), -1)
+    x, z = x + random.uniform(len(x), 0.5, 1.5), belt_z + random.uniform(len(x), -0.08, 0.08)
+    transforms = placements(x, robots.DECK, z, random.uniform(len(x), -0.03, 0.03))
+    variant = np.where(random.uniform(len(x)) < 0.75, random.integers(len(x), 4), -1)
     stage.mixed(functools.partial(robots.carton, detail=detail), variant, transforms, "carton")
 
 
@@ -133,7 +133,7 @@ def _racks(stage: Stage, seed: int, detail: int) -> None:
     """Add the rows of racks on the south side of the hall."""
     z, middle, bay = (axis.ravel() for axis in np.meshgrid(_RACKS, plan.BLOCKS, np.arange(_BAYS), indexing="ij"))
     starts = placements(middle + storage.WIDE * (bay - 0.5 * _BAYS), 0.0, z)
-    variant = Draw(seed, 98).integers(len(z), 10)
+    variant = RandomStream(seed, 98).integers(len(z), 10)
     stage.mixed(functools.partial(storage.rack, seed, detail=detail), variant, starts, "rack")
     ends = placements(middle[::_BAYS] + 0.5 * storage.WIDE * _BAYS, 0.0, z[::_BAYS])
     stage.many(storage.rack_end(detail), ends, "rack_end")
@@ -141,12 +141,12 @@ def _racks(stage: Stage, seed: int, detail: int) -> None:
 
 def _floor_pallets(stage: Stage, seed: int, detail: int) -> None:
     """Add pallets and barrels on the floor beside the lanes along z, and notice boards at columns."""
-    draw = Draw(seed, 99)
+    random = RandomStream(seed, 99)
     rows = sorted({slot.z for slot in plan.slots() if abs(slot.z) < 40.0})
     x, z = (values.reshape(-1) for values in np.meshgrid([-43.6, -36.2, 36.2, 43.6], rows))
-    variants = [storage.pallet(Draw(seed, 100, k), detail) for k in range(6)]
-    variant = np.where(draw.uniform(len(x)) < 0.8, draw.integers(len(x), len(variants)), -1)
-    turns = 0.25 + draw.uniform(len(x), -0.01, 0.01)
+    variants = [storage.pallet(RandomStream(seed, 100, k), detail) for k in range(6)]
+    variant = np.where(random.uniform(len(x)) < 0.8, random.integers(len(x), len(variants)), -1)
+    turns = 0.25 + random.uniform(len(x), -0.01, 0.01)
     stage.mixed(variants.__getitem__, variant, placements(x, 0.0, z, turns), "pallet")
     white = stage.material((1.0, 1.0, 1.0, 1.0), textures.notices(seed))
     boards = placements([-10.0, 10.0, -30.0, 30.0], 0.0, [9.78, -9.78, 29.78, -29.78], [0.5, 0.0, 0.5, 0.0])

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from nearfar.datasets._draw import xyz
 from nearfar.datasets._factory import parts
 from nearfar.datasets._palette import materials
+from nearfar.datasets._random import xyz
 from nearfar.datasets._shapes import Soup, bars, boxes, join, lathe, ring
 
 PAINTS = materials("machine_green", "machine_blue", "machine_grey", "machine_cream")

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from nearfar.datasets._draw import cross, turn, xyz
 from nearfar.datasets._furnishings import cushion
 from nearfar.datasets._palette import Material
+from nearfar.datasets._random import cross, turn, xyz
 from nearfar.datasets._shapes import Soup, bars, boxes, circles, join, lathe, loft, ring, tube
 
 ROUND = (5, 8, 10, 12)

@@ -8,7 +8,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from nearfar.datasets._draw import Floats
+from nearfar.datasets._random import Floats
 
 X, Z, EAVES, RIDGE = 80.0, 60.0, 12.0, 14.0
 """Half the length along x, half the width along z, the heights of the eaves and of the roof's ridges, metres."""

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from nearfar.datasets._draw import Draw
 from nearfar.datasets._factory import parts
 from nearfar.datasets._factory.machines import PAINTS
 from nearfar.datasets._palette import materials
+from nearfar.datasets._random import RandomStream
 from nearfar.datasets._shapes import Soup, bars, boxes, join, lathe
 
 
@@ -71,7 +71,7 @@ def _press_trimmings(ram: float, detail: int) -> list[Soup]:
 
 def bench(seed: int, variant: int, detail: int) -> Soup:
     """A work place: bench with a vice and drawers, a board with tools, a drill, a stool, a cabinet."""
-    draw = Draw(seed, 93, variant)
+    random = RandomStream(seed, 93, variant)
     soups = [
         parts.casing([-1.5, 0.86, -0.4], [1.1, 0.94, 0.4], 0.02, "wood_pale", detail),
         boxes([[-1.4, 0.0, -0.32], [0.3, 0.12, -0.34]], [[-1.3, 0.87, 0.32], [1.0, 0.87, 0.36]], "machine_grey"),
@@ -88,9 +88,9 @@ def bench(seed: int, variant: int, detail: int) -> Soup:
         soups.append(bars([[0.34, 0.16 + 0.175 * k, 0.35] for k in range(4)], [0.62, 0.16, 0.035], "machine_blue"))
         colors = materials("sign_red", "sign_navy", "safety_yellow", "metal_light", "wood")
         for x in np.linspace(-1.35, 0.95, 8 if detail == 1 else 20).tolist():
-            high = draw.number(0.12, 0.3)
-            top = draw.pick((1.45, 1.85))
-            soups.append(bars([x, top - high, -0.38], [0.03, high, 0.03], draw.pick(colors)))
+            high = random.number(0.12, 0.3)
+            top = random.pick((1.45, 1.85))
+            soups.append(bars([x, top - high, -0.38], [0.03, high, 0.03], random.pick(colors)))
     if detail >= 2:
         handle = boxes([-0.1, 0.0, 0.0], [0.1, 0.02, 0.025], "metal_light")
         soups.append(handle.copies([[0.65, 0.25 + 0.175 * k, 0.38] for k in range(4)]))
@@ -98,8 +98,8 @@ def bench(seed: int, variant: int, detail: int) -> Soup:
             soups.append(boxes([x, 0.1, 0.09], [x + 0.43, 1.88, 0.112], "machine_blue"))
             soups.append(parts.grille(0.3, 0.16, detail).translate([x + 0.215, 1.7, 0.112]))
         for k in range(6):
-            x, size = draw.number(-0.9, 0.3), draw.number(0.04, 0.09)
-            body = parts.drum(size, 0.93, 0.95 + 2.5 * size, draw.pick(colors), detail, 0.01)
+            x, size = random.number(-0.9, 0.3), random.number(0.04, 0.09)
+            body = parts.drum(size, 0.93, 0.95 + 2.5 * size, random.pick(colors), detail, 0.01)
             soups.append(body.translate([x, 0.0, -0.3 + 0.1 * k]))
         soups.append(parts.drum(0.03, 0.0, 0.3, "metal_light", detail, 0.01).laid_z().translate([-1.17, 1.03, 0.4]))
         lamp = [[-0.5, 1.98, -0.4], [-0.5, 2.2, -0.4], [-0.5, 2.2, 0.1]]

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from nearfar.datasets._draw import Floats, turn, xyz
 from nearfar.datasets._factory import parts
+from nearfar.datasets._random import Floats, turn, xyz
 from nearfar.datasets._shapes import Soup, bars, boxes, join, lathe
 
 # Pitches of the lower arm, the upper arm and the hand, as fractions of a full turn from upright towards +z.

@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar.datasets import _facade as facade, _textures as textures
-from nearfar.datasets._draw import Floats, xyz
 from nearfar.datasets._factory import parts, plan
+from nearfar.datasets._random import Floats, xyz
 from nearfar.datasets._shapes import Soup, bars, boxes, join, loft, quads, sheet, textured, triangles
 from nearfar.datasets._stage import Stage, placements
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from nearfar.datasets._draw import xyz
 from nearfar.datasets._factory import parts, plan
 from nearfar.datasets._palette import materials
+from nearfar.datasets._random import xyz
 from nearfar.datasets._shapes import Soup, bars, boxes, join, lathe
 from nearfar.datasets._stage import Stage, placements
 

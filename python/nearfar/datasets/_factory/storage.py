@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from nearfar.datasets._draw import Draw, xyz
 from nearfar.datasets._factory import parts
 from nearfar.datasets._factory.plan import grid
 from nearfar.datasets._palette import materials
+from nearfar.datasets._random import RandomStream, xyz
 from nearfar.datasets._shapes import Soup, bars, boxes, join, lathe, textured
 
 WIDE = 2.8
@@ -18,7 +18,7 @@ _DEEP = 1.1
 
 def rack(seed: int, variant: int, detail: int) -> Soup:
     """A bay of a pallet rack along x from the origin, with its left upright and two pallets on each of four levels."""
-    draw, orange = Draw(seed, 94, variant), "rack_orange"
+    random, orange = RandomStream(seed, 94, variant), "rack_orange"
     soups = [_upright(detail)]
     for level in _LEVELS[1:]:
         if detail == 0:
@@ -31,18 +31,18 @@ def rack(seed: int, variant: int, detail: int) -> Soup:
             soups.append(bars(xyz(end_x, level - 0.16, end_z), [0.02, 0.2, 0.062], orange))
     for level in _LEVELS:
         for x in (0.74, 2.06):
-            if draw.chance(0.12):
+            if random.chance(0.12):
                 continue
-            shift = draw.number(-0.03, 0.03)
-            load = pallet(draw, detail) if detail else _bulk(draw)
+            shift = random.number(-0.03, 0.03)
+            load = pallet(random, detail) if detail else _bulk(random)
             soups.append(load.translate([x + shift, level + 0.003, 0.0]))
     return join(soups)
 
 
-def _bulk(draw: Draw) -> Soup:
+def _bulk(random: RandomStream) -> Soup:
     """A loaded pallet as one box."""
     kinds = materials("cardboard", "cardboard_pale", "barrel_blue", "paper", "steel_grey")
-    return boxes([-0.58, 0.0, -0.43], [0.58, draw.number(0.8, 1.2), 0.43], draw.pick(kinds), without="-y")
+    return boxes([-0.58, 0.0, -0.43], [0.58, random.number(0.8, 1.2), 0.43], random.pick(kinds), without="-y")
 
 
 def rack_end(detail: int) -> Soup:
@@ -67,11 +67,11 @@ def _upright(detail: int) -> Soup:
     return join(soups)
 
 
-def pallet(draw: Draw, detail: int) -> Soup:
+def pallet(random: RandomStream, detail: int) -> Soup:
     """A wooden pallet, 1.2 m by 0.9 m on y = 0, with a drawn load up to 1.3 m high."""
     if detail == 0:
-        return _bulk(draw)
-    load = (_cartons, _barrels, _sacks, _crate, _cartons)[int(draw.integers(1, 5)[0])](draw, detail)
+        return _bulk(random)
+    load = (_cartons, _barrels, _sacks, _crate, _cartons)[int(random.integers(1, 5)[0])](random, detail)
     return join([_boards(detail), load.translate([0.0, 0.145, 0.0])])
 
 
@@ -89,13 +89,13 @@ def _boards(detail: int) -> Soup:
     return join([top, bars(runners, [1.19, 0.02, 0.1], wood), blocks, stringers])
 
 
-def _cartons(draw: Draw, detail: int) -> Soup:
+def _cartons(random: RandomStream, detail: int) -> Soup:
     """Cartons in layers, sometimes with the last ones missing."""
-    nx, ny, nz = draw.pick(((2, 2, 2), (3, 3, 2), (2, 3, 1), (3, 2, 2)))
-    wide, high, deep = 1.16 / nx, draw.number(0.85, 1.15) / ny, 0.86 / nz
-    brown = draw.pick(("cardboard", "cardboard_pale", "cardboard"))
+    nx, ny, nz = random.pick(((2, 2, 2), (3, 3, 2), (2, 3, 1), (3, 2, 2)))
+    wide, high, deep = 1.16 / nx, random.number(0.85, 1.15) / ny, 0.86 / nz
+    brown = random.pick(("cardboard", "cardboard_pale", "cardboard"))
     gap, cells = 0.006, [(i, j, k) for j in range(ny) for k in range(nz) for i in range(nx)]
-    missing = int(draw.integers(1, nx)[0])
+    missing = int(random.integers(1, nx)[0])
     soups = []
     for i, j, k in cells[: len(cells) - missing]:
         low = np.array([-0.58 + i * wide + gap, j * high, -0.43 + k * deep + gap])
@@ -121,18 +121,18 @@ def barrel(kind: int, detail: int) -> Soup:
     return lathe(profile, parts.ROUND[detail], kind)
 
 
-def _barrels(draw: Draw, detail: int) -> Soup:
-    kind = draw.pick(materials("barrel_blue", "barrel_blue", "sign_green", "safety_red", "metal_light"))
+def _barrels(random: RandomStream, detail: int) -> Soup:
+    kind = random.pick(materials("barrel_blue", "barrel_blue", "sign_green", "safety_red", "metal_light"))
     offsets = [[-0.3, 0.0, -0.22], [0.3, 0.0, -0.22], [-0.3, 0.0, 0.22], [0.3, 0.0, 0.22]]
     # Four drums do not fit a pallet's depth side by side, so these are slimmer.
     return barrel(kind, detail).scaled([0.74, 1.0, 0.74]).copies(offsets)
 
 
-def _sacks(draw: Draw, detail: int) -> Soup:
+def _sacks(random: RandomStream, detail: int) -> Soup:
     """Sacks in layers of alternating direction."""
-    cloth = draw.pick(("paper", "fabric_sand", "paint_white"))
+    cloth = random.pick(("paper", "fabric_sand", "paint_white"))
     soups = []
-    for layer in range(int(3 + draw.integers(1, 4)[0])):
+    for layer in range(int(3 + random.integers(1, 4)[0])):
         step, size = ((0.38, 0.0), [0.375, 0.16, 0.86]) if layer % 2 == 0 else ((0.0, 0.287), [1.14, 0.16, 0.283])
         for k in range(3):
             low = [-0.57 + step[0] * k, 0.15 * layer - 0.005, -0.43 + step[1] * k]
@@ -140,9 +140,9 @@ def _sacks(draw: Draw, detail: int) -> Soup:
     return join(soups)
 
 
-def _crate(draw: Draw, detail: int) -> Soup:
+def _crate(random: RandomStream, detail: int) -> Soup:
     """A mesh crate with parts in it."""
-    steel, kind = "steel_grey", draw.pick(materials("machine_blue", "metal", "rack_orange", "machine_green"))
+    steel, kind = "steel_grey", random.pick(materials("machine_blue", "metal", "rack_orange", "machine_green"))
     heights = np.linspace(0.08, 0.86, (2, 2, 5, 6)[detail])
     soups = [
         bars([[x, 0.0, z] for x in (-0.58, 0.54) for z in (-0.42, 0.38)], [0.04, 0.9, 0.04], steel),
@@ -152,7 +152,7 @@ def _crate(draw: Draw, detail: int) -> Soup:
     ]
     for k in range(6):
         x, z = -0.38 + 0.38 * (k % 3), -0.2 + 0.4 * (k // 3)
-        soups.append(parts.drum(0.16, 0.04, draw.number(0.45, 0.8), kind, detail - 1, 0.03).translate([x, 0.0, z]))
+        soups.append(parts.drum(0.16, 0.04, random.number(0.45, 0.8), kind, detail - 1, 0.03).translate([x, 0.0, z]))
     return join(soups)
 
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from nearfar.datasets._draw import turn, xyz
 from nearfar.datasets._factory import parts
 from nearfar.datasets._factory.pipes import valve
 from nearfar.datasets._palette import materials
+from nearfar.datasets._random import turn, xyz
 from nearfar.datasets._shapes import Soup, boxes, join, lathe, tube
 
 _PAINTS = materials("metal_light", "paint_snow", "machine_green", "metal_light")

@@ -72,7 +72,7 @@ def sphere_task(seed: int = 0, boxes: int = 7, *, straight: bool = True) -> tupl
         True: the ball flies straight and evenly, as in the published study. False: it is thrown over a crossbar 60 m
         ahead and then seen behind it, which shows whether far geometry hides it.
     """
-    draw, count, answer = draw_answer("boxes", seed, boxes, 91)
+    random, count, answer = draw_answer("boxes", seed, boxes, 91)
     is_straight, places = check.flag("straight", straight), in_row(count, _SPACING)
     stage = Stage()
     stage.once(ground(), "ground")
@@ -82,10 +82,10 @@ def sphere_task(seed: int = 0, boxes: int = 7, *, straight: bool = True) -> tupl
     if not is_straight:
         stage.once(_crossbar(1.5 * _BOX + float(places[-1])), "crossbar")
     # A straight flight descends, so that the ball touches the top of its box and not the edge.
-    height, gravity = (draw.number(3.5, 5.0), 0.0) if is_straight else (1.2, _GRAVITY)
-    start = np.array([draw.number(-4.0, 4.0), height, -_BALL_FROM])
+    height, gravity = (random.number(3.5, 5.0), 0.0) if is_straight else (1.2, _GRAVITY)
+    start = np.array([random.number(-4.0, 4.0), height, -_BALL_FROM])
     end = np.array([places[answer], _BOX_HIGH + _BALL, -_ROW])
-    duration = draw.number(2.1, 2.4)
+    duration = random.number(2.1, 2.4)
     velocity = (end - start) / duration + [0.0, 0.5 * gravity * duration, 0.0]
     target = (0.0, _BOX_HIGH, -_ROW)
     thrown = (_BALL, point(start), point(velocity), duration, gravity)

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from nearfar._base import check
 from nearfar._scene.scene import Scene
-from nearfar.datasets._draw import Draw, turn
+from nearfar.datasets._random import RandomStream, turn
 from nearfar.datasets._shapes import sphere, triangles
 from nearfar.datasets._stage import Stage
 from nearfar.datasets._study.layout import CENTER, MAX_SEED, R1, R2, Point, Task, ground
@@ -51,11 +51,11 @@ def count_task(seed: int = 0) -> tuple[Scene, CountTask]:
     seed
         0 to 2⁶³ − 1; it decides the number of spheres and their places.
     """
-    draw = Draw(check.integer("seed", seed, 0, MAX_SEED), 92)
-    answer, cut_count = 11 + int(draw.integers(1, 3)[0]), 1 + int(draw.integers(1, 2)[0])
+    random = RandomStream(check.integer("seed", seed, 0, MAX_SEED), 92)
+    answer, cut_count = 11 + int(random.integers(1, 3)[0]), 1 + int(random.integers(1, 2)[0])
     inside_count = (answer - cut_count) // 2
     counts = (inside_count, cut_count, answer - cut_count - inside_count)
-    rows = [_row(draw, *row, count) for row, count in zip((_INSIDE, _ACROSS, _BEYOND), counts, strict=True)]
+    rows = [_row(random, *row, count) for row, count in zip((_INSIDE, _ACROSS, _BEYOND), counts, strict=True)]
     stage = Stage()
     stage.once(ground(), "ground")
     names = tuple(f"sphere_{number}" for number in range(answer))
@@ -67,9 +67,9 @@ def count_task(seed: int = 0) -> tuple[Scene, CountTask]:
     return stage.build(), CountTask(CENTER, target, R1, R2, names, answer, _RADIUS, cut_names)
 
 
-def _row(draw: Draw, nearest: float, farthest: float, height: float, count: int) -> NDArray[np.float64]:
+def _row(random: RandomStream, nearest: float, farthest: float, height: float, count: int) -> NDArray[np.float64]:
     """Positions (count, 3) of a row's spheres, evenly spread and then shifted at random."""
-    angles = _ROW_ANGLE * ((np.arange(count) + 0.5) / count - 0.5) + draw.uniform(count, -_MAX_SHIFT, _MAX_SHIFT)
-    distances = draw.uniform(count, nearest, farthest)
+    angles = _ROW_ANGLE * ((np.arange(count) + 0.5) / count - 0.5) + random.uniform(count, -_MAX_SHIFT, _MAX_SHIFT)
+    distances = random.uniform(count, nearest, farthest)
     cosine, sine = turn(angles)
     return np.stack([distances * sine, np.full(count, height), -distances * cosine], axis=1)

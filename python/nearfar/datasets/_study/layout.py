@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar._base import check
-from nearfar.datasets._draw import Draw
 from nearfar.datasets._palette import materials
+from nearfar.datasets._random import RandomStream
 from nearfar.datasets._shapes import Soup, quads
 
 Point = tuple[float, float, float]
@@ -40,12 +40,12 @@ class Task:
     """Radius that bounds the intermediate zone, metres."""
 
 
-def draw_answer(name: str, seed: int, count: int, stream: int) -> tuple[Draw, int, int]:
+def draw_answer(name: str, seed: int, count: int, stream: int) -> tuple[RandomStream, int, int]:
     """Return the random stream, the number of objects to choose from, and the index of the answer."""
     seed = check.integer("seed", seed, 0, MAX_SEED)
     count = check.integer(name, count, 2, MAX)
-    draw = Draw(seed, stream)
-    return draw, count, int(draw.integers(1, count)[0])
+    random = RandomStream(seed, stream)
+    return random, count, int(random.integers(1, count)[0])
 
 
 def in_row(count: int, spacing: float) -> NDArray[np.float64]:

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from nearfar._base import check
 from nearfar._scene.scene import Scene
-from nearfar.datasets._draw import turn
+from nearfar.datasets._random import turn
 from nearfar.datasets._shapes import Soup, boxes, quads
 from nearfar.datasets._stage import Stage
 from nearfar.datasets._study.layout import CENTER, COLORS, R1, R2, Point, Task, draw_answer, ground, in_row, point
@@ -73,7 +73,7 @@ def tape_task(seed: int = 0, rectangles: int = 3, *, ends: str = "near") -> tupl
         study. The conventional method shows the whole tape as the user sees it, and the rectangles as the centre does.
         "far": the tape ends at 70 m and the rectangles stand 90 m away, so that the conventional method tears the tape.
     """
-    draw, count, answer = draw_answer("rectangles", seed, rectangles, 90)
+    random, count, answer = draw_answer("rectangles", seed, rectangles, 90)
     layout = _ENDS_NEAR if check.choice("ends", ends, ("near", "far")) == "near" else _ENDS_FAR
     stage = Stage()
     stage.once(ground(), "ground")
@@ -86,7 +86,7 @@ def tape_task(seed: int = 0, rectangles: int = 3, *, ends: str = "near") -> tupl
         names.append(f"rectangle_{number}")
         stage.once(boxes(middle - half, middle + half, COLORS[number]).rotated(fraction), names[-1])
     cosine, sine = turn(turns[answer])
-    start = np.array([draw.number(-2.0, 2.0), _TAPE_HIGH, -_TAPE_FROM])
+    start = np.array([random.number(-2.0, 2.0), _TAPE_HIGH, -_TAPE_FROM])
     goal = np.array([-layout.row * sine, _TAPE_HIGH, -layout.row * cosine])
     end = start + _share(start, goal, layout.tape_to) * (goal - start)
     stage.once(_tape(start, end), "tape")

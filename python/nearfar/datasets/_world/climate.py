@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar.datasets._draw import Floats, step
+from nearfar.datasets._random import Floats, step
 from nearfar.datasets._world import streets
 from nearfar.datasets._world.noise import noise, uniform_hash
 from nearfar.datasets._world.sites import Town

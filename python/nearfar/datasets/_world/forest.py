@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar.datasets import _vegetation as vegetation
-from nearfar.datasets._draw import Floats
+from nearfar.datasets._random import Floats
 from nearfar.datasets._shapes import Indexed, weld
 from nearfar.datasets._world import lattice, streets, tiles
 from nearfar.datasets._world.noise import uniform_hash

@@ -9,8 +9,8 @@ import numpy as np
 
 from nearfar.datasets import _roofs as roofs
 from nearfar.datasets._buildings import Kind
-from nearfar.datasets._draw import Draw
 from nearfar.datasets._palette import material, materials
+from nearfar.datasets._random import RandomStream
 from nearfar.datasets._shapes import Indexed, Soup, bars, boxes, join, loft, weld
 from nearfar.datasets._styles import BRICK, STONE, STUCCO
 from nearfar.datasets._walls import Paint, walls
@@ -36,17 +36,17 @@ def shape(seed: int, kind: Kind, detail: int) -> Indexed:
 
 def cottage(seed: int, kind: Kind, detail: int) -> Soup:
     """A house of one or two storeys under a tiled roof with its ridge along the street, or across it."""
-    draw = Draw(seed, 220, kind.width, kind.depth, kind.variant)
-    style = draw.pick(_STYLES)
-    paint = Paint.random(style, draw)
-    storeys = (1 if draw.chance(0.35) else 2) + int(kind.width >= 140)
+    random = RandomStream(seed, 220, kind.width, kind.depth, kind.variant)
+    style = random.pick(_STYLES)
+    paint = Paint.pick(style, random)
+    storeys = (1 if random.chance(0.35) else 2) + int(kind.width >= 140)
     width, depth = 0.1 * kind.width, 0.1 * kind.depth
     is_across = depth > width
     # Drawn before the walls, whose number of draws depends on the detail.
-    tiles, pitch, gabled = draw.pick(_TILES), draw.number(0.75, 1.05), draw.chance(0.75)
+    tiles, pitch, gabled = random.pick(_TILES), random.number(0.75, 1.05), random.chance(0.75)
     rows = np.concatenate([[-_FOOT], 3.1 + style.storey * np.arange(storeys), [3.45 + style.storey * (storeys - 1)]])
     faces = ("street", "yard", "street", "yard"), False, True
-    parts = walls((width, depth), rows, faces, style, paint, draw, detail)
+    parts = walls((width, depth), rows, faces, style, paint, random, detail)
     wide, narrow = (depth, width) if is_across else (width, depth)
     top = float(rows[-1])
     if gabled:

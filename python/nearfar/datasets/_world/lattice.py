@@ -11,7 +11,7 @@ import functools
 
 import numpy as np
 
-from nearfar.datasets._draw import Floats
+from nearfar.datasets._random import Floats
 from nearfar.datasets._world.noise import assemble_blocks
 from nearfar.datasets._world.relief import natural
 

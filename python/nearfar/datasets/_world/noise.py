@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar import _core
-from nearfar.datasets._draw import Floats, turn
+from nearfar.datasets._random import Floats, turn
 
 Number = TypeVar("Number", bound=np.generic)
 

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from nearfar._scene.builder import SceneBuilder
 from nearfar._scene.scene import Scene
 from nearfar.datasets import _palette
-from nearfar.datasets._draw import Floats, xyz
+from nearfar.datasets._random import Floats, xyz
 from nearfar.datasets._shapes import Indexed
 from nearfar.datasets._stage import placements
 from nearfar.datasets._world import lattice

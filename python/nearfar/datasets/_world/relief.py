@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from nearfar.datasets._draw import Floats, step
+from nearfar.datasets._random import Floats, step
 from nearfar.datasets._world.noise import noise, noise_with_slopes
 
 SEA_BED, SUMMIT = -180.0, 2600.0

@@ -6,7 +6,7 @@ import functools
 
 import numpy as np
 
-from nearfar.datasets._draw import Floats, xyz
+from nearfar.datasets._random import Floats, xyz
 from nearfar.datasets._shapes import Indexed, Soup, boxes, join, quads, weld
 from nearfar.datasets._world.roads import HALF, Road
 from nearfar.datasets._world.sites import Town

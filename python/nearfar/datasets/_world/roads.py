@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar.datasets._draw import Floats, step
+from nearfar.datasets._random import Floats, step
 from nearfar.datasets._world import sites
 from nearfar.datasets._world.relief import natural
 from nearfar.datasets._world.sites import Town, town

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from nearfar.datasets._draw import Draw, Floats, step, turn
+from nearfar.datasets._random import Floats, RandomStream, step, turn
 from nearfar.datasets._world.relief import natural
 
 CELL = 3072.0
@@ -59,13 +59,13 @@ class Town:
 @functools.lru_cache(maxsize=8192)
 def town(seed: int, i: int, j: int) -> Town | None:
     """Find the town of a square; None if no place is suitable."""
-    draw = Draw(seed, 200, i, j)
+    random = RandomStream(seed, 200, i, j)
     home = i == 0 and j == 0
-    if not home and draw.chance(0.15):
+    if not home and random.chance(0.15):
         return None
-    heading, growth = draw.number(), draw.number()
+    heading, growth = random.number(), random.number()
     reach = 120.0 if home else 0.3 * CELL
-    x, z = i * CELL + draw.uniform(_TRIES, -reach, reach), j * CELL + draw.uniform(_TRIES, -reach, reach)
+    x, z = i * CELL + random.uniform(_TRIES, -reach, reach), j * CELL + random.uniform(_TRIES, -reach, reach)
     lines = np.linspace(-1.0, 1.0, 9)
     a, b = (line.reshape(-1) for line in np.meshgrid(lines, lines))
     inside = a * a + b * b <= 1.05

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar._base import check
 from nearfar._scene.scene import Scene
 from nearfar.datasets._buildings import Kind
-from nearfar.datasets._draw import Floats, length, xyz
+from nearfar.datasets._random import Floats, length, xyz
 from nearfar.datasets._shapes import Indexed
 from nearfar.datasets._stage import placements
 from nearfar.datasets._world import forest, houses, lattice, road_shapes, roads, sites, streets, tiles

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from nearfar.datasets import _furniture as furniture, _vehicles as vehicles
 from nearfar.datasets._buildings import Kind
-from nearfar.datasets._draw import Draw, Floats, step
+from nearfar.datasets._random import Floats, RandomStream, step
 from nearfar.datasets._shapes import Indexed, weld
 from nearfar.datasets._world import roads
 from nearfar.datasets._world.houses import CHURCH, COTTAGE
@@ -109,7 +109,7 @@ class Layout:
 @functools.lru_cache(maxsize=256)
 def layout(seed: int, town: Town) -> Layout:
     """Plan a town."""
-    draw = Draw(seed, 210, town.i, town.j)
+    random = RandomStream(seed, 210, town.i, town.j)
     inside = _in_town(seed, town)
     a, b = np.nonzero(inside[:-1] & inside[1:])
     along = np.stack([a - _STREETS_PER_SIDE, b - _STREETS_PER_SIDE, b == _STREETS_PER_SIDE], -1)
@@ -119,7 +119,7 @@ def layout(seed: int, town: Town) -> Layout:
     nodes = np.unique(np.concatenate(ends), axis=0)
     nodes = nodes if len(nodes) else np.zeros((1, 2), np.int64)
     near = roads.near(seed, (town.x, town.x, town.z, town.z), town.radius + 60.0)
-    plots = [plot for piece in street_pieces(along, across) for plot in _plots(town, *piece, draw)]
+    plots = [plot for piece in street_pieces(along, across) for plot in _plots(town, *piece, random)]
     houses, rectangles = _houses(seed, town, plots, near)
     return Layout(
         town, along, across, nodes, tuple(houses), np.reshape(rectangles, (-1, 4)), inside, _gates(town, near)
@@ -197,15 +197,17 @@ def _hits(rectangle: tuple[float, ...], taken: list[tuple[float, float, float, f
     return any(abs(u - a) < wide + w + 2.0 and abs(v - b) < deep + d + 2.0 for a, b, w, d in taken)
 
 
-def _plots(town: Town, axis: int, start: float, end: float, line: float, half: float, draw: Draw) -> list[_Plot]:
+def _plots(
+    town: Town, axis: int, start: float, end: float, line: float, half: float, random: RandomStream
+) -> list[_Plot]:
     """Plots on both sides of a piece of street, as in `street_pieces`."""
     plots: list[_Plot] = []
     for side in (-1.0, 1.0):
         # Fronts face +z before rotation; turns go from +z towards +x.
         quarter = (0.5 if side > 0.0 else 0.0) if axis == 0 else (0.75 if side > 0.0 else 0.25)
-        position = start + _CORNER + draw.number(0.0, 3.0)
+        position = start + _CORNER + random.number(0.0, 3.0)
         while True:
-            width, depth, variant, gap, skip = _design(town, position, line, half == MAIN, draw)
+            width, depth, variant, gap, skip = _design(town, position, line, half == MAIN, random)
             if position + width > end - _CORNER:
                 break
             p, q = position + 0.5 * width, line + side * (half + PAVEMENT + _SETBACK + 0.5 * depth)
@@ -216,21 +218,23 @@ def _plots(town: Town, axis: int, start: float, end: float, line: float, half: f
     return plots
 
 
-def _design(town: Town, position: float, line: float, main: bool, draw: Draw) -> tuple[float, float, int, float, bool]:
+def _design(
+    town: Town, position: float, line: float, main: bool, random: RandomStream
+) -> tuple[float, float, int, float, bool]:
     """Width, depth and variant of a house, the gap to the next, and whether the plot is left empty."""
     relative_distance = float(np.sqrt(position * position + line * line)) / max(town.radius, 260.0)
-    kind = draw.integers(3, 4).tolist()
+    kind = random.integers(3, 4).tolist()
     if town.radius > SQUARE_RADIUS and relative_distance < 0.2:
         return 14.0 + 3.0 * (kind[0] % 2), 12.0 + 2.0 * (kind[1] % 2), kind[2], 2.5, False
     width, depth = 9.0 + 1.5 * (kind[0] % 3), 8.0 + 3.5 * (kind[1] % 2)
-    gap = draw.number(4.0, 8.0) + 9.0 * relative_distance
-    return width, depth, kind[2], gap, draw.chance(0.06 + 0.25 * relative_distance * (0.4 if main else 1.0))
+    gap = random.number(4.0, 8.0) + 9.0 * relative_distance
+    return width, depth, kind[2], gap, random.chance(0.06 + 0.25 * relative_distance * (0.4 if main else 1.0))
 
 
 @functools.lru_cache(maxsize=256)
 def street_things(seed: int, town: Town) -> tuple[Thing, ...]:
     """List the objects along the streets of a town."""
-    plan, draw = layout(seed, town), Draw(seed, 230, town.i, town.j)
+    plan, random = layout(seed, town), RandomStream(seed, 230, town.i, town.j)
     listed: list[Thing] = []
     cosine, sine = town.axis(0)
 
@@ -249,22 +253,22 @@ def street_things(seed: int, town: Town) -> tuple[Thing, ...]:
                 across = line + side * aside  # noqa: B023
                 return (position, across) if axis == 0 else (across, position)  # noqa: B023
 
-            position = start + draw.number(0.0, 6.0)
+            position = start + random.number(0.0, 6.0)
             while position < end - 4.0:
-                if draw.chance(0.24):
-                    put(CAR, int(draw.integers(1, _CARS)[0]), *beside(position + 2.4, half - 1.05), ahead)
+                if random.chance(0.24):
+                    put(CAR, int(random.integers(1, _CARS)[0]), *beside(position + 2.4, half - 1.05), ahead)
                 position += 7.0
             put(LAMP, 0, *beside(start + 8.0 + (24.0 if side > 0.0 else 0.0), half + 0.45), inwards)
             for k in range(int((end - start) // 13.0)) if half == MAIN else ():
-                if draw.chance(0.55):
+                if random.chance(0.55):
                     place = beside(start + 6.0 + 13.0 * k, half + PAVEMENT + 0.9)
-                    put(TREE, k % 5, *place, draw.number(), draw.number(0.6, 0.8))
+                    put(TREE, k % 5, *place, random.number(), random.number(0.6, 0.8))
     if town.radius > SQUARE_RADIUS:
         u, v, wide, deep = SQUARE
         for k in range(9):
             for side in (-1.0, 1.0):
                 place = u + wide * (k - 4) / 4.4, v + side * (deep - 3.0)
-                put(TREE, k % 5, *place, draw.number(), draw.number(0.8, 1.0))
+                put(TREE, k % 5, *place, random.number(), random.number(0.8, 1.0))
     return tuple(listed)
 
 

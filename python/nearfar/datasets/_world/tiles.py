@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar.datasets._draw import Floats, step, xyz
+from nearfar.datasets._random import Floats, step, xyz
 from nearfar.datasets._textures import image
 from nearfar.datasets._world import climate, lattice, roads, sites
 from nearfar.datasets._world.climate import Cover

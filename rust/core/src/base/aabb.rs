@@ -4,7 +4,7 @@ use glam::{DAffine3, DVec3, Vec3};
 
 /// Maximum absolute coordinate of geometry and of ray origins, metres from the scene's origin. Beyond it, a distance
 /// divided by a small direction component overflows float32, and a ray would hit empty slots of the trees.
-pub const REACH: f64 = 1e30;
+pub const MAX_COORDINATE: f64 = 1e30;
 
 /// An axis-aligned box; empty while `min > max`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,7 +32,7 @@ impl Aabb {
     }
 
     /// Maximum absolute coordinate; 0 for the empty box.
-    pub fn reach(&self) -> f32 {
+    pub fn max_coordinate(&self) -> f32 {
         if self.is_empty() { 0.0 } else { self.min.abs().max(self.max.abs()).max_element() }
     }
 

@@ -32,7 +32,8 @@ pub(crate) fn by_number<T>(values: &[T], number: i32) -> Option<&T> {
     usize::try_from(number).ok().and_then(|number| values.get(number))
 }
 
-/// Returns the value of an object. The last entry of `values` is the value of faces without an object.
+/// Returns the value of an object. The last entry of `values` is for faces without an object; if it is the only one, it is
+/// for all objects, too.
 pub(crate) fn by_object<T>(values: &[T], object: i32) -> &T {
     let last = values.len() - 1;
     &values[usize::try_from(object).map_or(last, |object| object.min(last))]

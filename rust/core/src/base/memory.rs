@@ -2,8 +2,8 @@
 //! before it allocates an array whose size depends on an argument. The room is not reserved: other threads may take it
 //! before the allocation.
 //!
-//! Small arrays, in total less than 1 MiB between two calls of `Progress::check`, need no request. If memory is
-//! limited, the first 64 of these calls, and then every 64th, fail if less than `HEADROOM` remains.
+//! Small arrays, in total less than 1 MiB between two calls of `Progress::check`, need no request. If the process
+//! has a memory limit (ulimit), the first 64 of these calls, and then every 64th, test whether `HEADROOM` remains.
 
 use std::collections::HashMap;
 use std::hash::Hash;

@@ -13,7 +13,7 @@ pub mod real;
 pub(crate) mod simd;
 pub(crate) mod sort;
 
-pub use aabb::{Aabb, REACH};
+pub use aabb::{Aabb, MAX_COORDINATE};
 pub use buffer::Buffer;
 pub(crate) use error::ensure;
 pub use error::{Error, Result, number};

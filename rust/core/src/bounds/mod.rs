@@ -8,4 +8,4 @@ mod tests;
 
 pub use bounding::{SphereMethod, bounding_sphere, bounding_spheres};
 pub use scan::Sphere;
-pub use solid_angle::{SphereView, check_spheres, each_tile, solid_angles};
+pub use solid_angle::{SphereView, check_spheres, each_chunk, solid_angles};

@@ -8,9 +8,9 @@ use crate::base::simd::{prefetch, vectorized};
 use crate::base::{Error, Progress, Real, Result};
 
 /// Number of points per task: fixed, so that results do not depend on the number of threads.
-const TILE: usize = 1 << 12;
+const CHUNK: usize = 1 << 12;
 /// Number of points scanned between two requests for memory for the copied ones.
-const POINTS_PER_REQUEST: usize = TILE << 8;
+const POINTS_PER_REQUEST: usize = CHUNK << 8;
 /// Number of points that one vector operation processes.
 const LANES: usize = 8;
 
@@ -78,10 +78,10 @@ impl<'a, T: Real> Cloud<'a, T> {
             return Err(Error::value("points", "at least one point", "none"));
         };
         let origin = DVec3::from_array(first.map(T::wide));
-        let tiles: Vec<Extremes> = each_tile(points, progress, |_, points| extremes(points))?;
+        let chunks: Vec<Extremes> = each_chunk(points, progress, |_, points| extremes(points))?;
         let all = Extremes {
-            low: std::array::from_fn(|n| tiles.iter().fold(f64::INFINITY, |low, tile| lesser(tile.low[n], low))),
-            high: std::array::from_fn(|n| -tiles.iter().fold(f64::INFINITY, |low, tile| lesser(-tile.high[n], low))),
+            low: std::array::from_fn(|n| chunks.iter().fold(f64::INFINITY, |low, chunk| lesser(chunk.low[n], low))),
+            high: std::array::from_fn(|n| -chunks.iter().fold(f64::INFINITY, |low, chunk| lesser(-chunk.high[n], low))),
         };
         let bounds = [all.low, all.high].map(|values| DVec3::new(values[0], values[1], values[2]));
         if !(bounds[0].is_finite() && bounds[1].is_finite()) {
@@ -89,17 +89,17 @@ impl<'a, T: Real> Cloud<'a, T> {
             let got = points[index].map(T::wide);
             return Err(Error::value("points", "finite coordinates", format!("{got:?} at index {index}")));
         }
-        // Tiles store extreme values, not points: the point is found by a second scan of the tile with that value.
-        let point = |is_extreme: &dyn Fn(&[f64; DIRECTIONS]) -> bool, tile: Option<usize>| {
-            let from = tile.unwrap_or(0) * TILE;
-            let near = points[from..].iter().take(TILE);
+        // Chunks store extreme values, not points: the point is found by a second scan of the chunk with that value.
+        let point = |is_extreme: &dyn Fn(&[f64; DIRECTIONS]) -> bool, chunk: Option<usize>| {
+            let from = chunk.unwrap_or(0) * CHUNK;
+            let near = points[from..].iter().take(CHUNK);
             near.copied().find(|point| is_extreme(&project(point)))
         };
         let extremes = (0..DIRECTIONS).flat_map(|n| {
             let (low, high) = (all.low[n], all.high[n]);
             [
-                point(&|values| values[n] == low, tiles.iter().position(|tile| tile.low[n] == low)),
-                point(&|values| values[n] == high, tiles.iter().position(|tile| tile.high[n] == high)),
+                point(&|values| values[n] == low, chunks.iter().position(|chunk| chunk.low[n] == low)),
+                point(&|values| values[n] == high, chunks.iter().position(|chunk| chunk.high[n] == high)),
             ]
         });
         let extremes = extremes.flatten().map(|point| DVec3::from_array(point.map(T::wide)) - origin).collect();
@@ -123,21 +123,21 @@ impl<'a, T: Real> Cloud<'a, T> {
     }
 
     pub fn mean(&self) -> Result<DVec3> {
-        let tiles: Vec<DVec3> = each_tile(self.points, self.progress, |_, points| sum(points, self.origin))?;
-        Ok(tiles.into_iter().sum::<DVec3>() / self.points.len() as f64)
+        let chunks: Vec<DVec3> = each_chunk(self.points, self.progress, |_, points| sum(points, self.origin))?;
+        Ok(chunks.into_iter().sum::<DVec3>() / self.points.len() as f64)
     }
 
     /// Returns the points farther than a distance from a centre, in order.
     pub fn points_beyond(&self, center: DVec3, distance: f64) -> Result<Vec<[f64; 3]>> {
-        let tile = |_: usize, points: &[[T; 3]]| {
+        let chunk = |_: usize, points: &[[T; 3]]| {
             let mut outside = Vec::new();
             collect_beyond(points, self.origin, center, distance * distance, &mut outside);
             outside
         };
         let mut all = Vec::new();
         for part in self.points.chunks(POINTS_PER_REQUEST) {
-            let tiles: Vec<Vec<[f64; 3]>> = each_tile(part, self.progress, tile)?;
-            tiles.iter().try_for_each(|outside| try_append(&mut all, outside))?;
+            let chunks: Vec<Vec<[f64; 3]>> = each_chunk(part, self.progress, chunk)?;
+            chunks.iter().try_for_each(|outside| try_append(&mut all, outside))?;
         }
         Ok(all)
     }
@@ -159,24 +159,24 @@ pub(super) fn farthest_of<T: Real>(
     center: DVec3,
     progress: &Progress,
 ) -> Result<(f64, DVec3)> {
-    let tile = |n: usize, points: &[[T; 3]]| {
+    let chunk = |n: usize, points: &[[T; 3]]| {
         let (squared, index) = farthest(points, origin, center);
-        (squared, n * TILE + index)
+        (squared, n * CHUNK + index)
     };
-    let tiles: Vec<(f64, usize)> = each_tile(points, progress, tile)?;
+    let chunks: Vec<(f64, usize)> = each_chunk(points, progress, chunk)?;
     let first = |a: (f64, usize), b: (f64, usize)| if b.0 > a.0 { b } else { a };
-    let (squared, index) = tiles.into_iter().fold((f64::NEG_INFINITY, 0), first);
+    let (squared, index) = chunks.into_iter().fold((f64::NEG_INFINITY, 0), first);
     Ok((squared.sqrt(), DVec3::from_array(points[index].map(T::wide)) - origin))
 }
 
-/// Calls a kernel with the number and points of each tile; returns its results in order.
-fn each_tile<T: Sync, R: Send>(
+/// Calls a kernel with the number and points of each chunk; returns its results in order.
+fn each_chunk<T: Sync, R: Send>(
     points: &[[T; 3]],
     progress: &Progress,
     kernel: impl Fn(usize, &[[T; 3]]) -> R + Sync,
 ) -> Result<Vec<R>> {
-    let tile = |(n, points): (usize, &[[T; 3]])| progress.check().map(|()| kernel(n, points));
-    points.par_chunks(TILE).enumerate().map(tile).collect()
+    let chunk = |(n, points): (usize, &[[T; 3]])| progress.check().map(|()| kernel(n, points));
+    points.par_chunks(CHUNK).enumerate().map(chunk).collect()
 }
 
 /// Returns the smaller value; NaN if the first is NaN.

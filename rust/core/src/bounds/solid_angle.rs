@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use crate::base::{Progress, Result, ensure};
 
 /// Number of spheres in one task.
-const TILE: usize = 1 << 12;
+const CHUNK: usize = 1 << 12;
 
 /// Direction and apparent size of a sphere.
 #[derive(Clone, Copy, Debug)]
@@ -45,17 +45,17 @@ impl SphereView {
     }
 }
 
-/// Checks spheres and calls `compute` for each tile of centres, radii and results.
-pub fn each_tile(
+/// Checks spheres and calls `compute` for each chunk of centres, radii and results.
+pub fn each_chunk(
     centers: &[[f64; 3]],
     radii: &[f64],
     eye: DVec3,
     results: &mut [f64],
     compute: impl Fn(&[[f64; 3]], &[f64], &mut [f64]) -> Result<()> + Sync,
 ) -> Result<()> {
-    let tiles = centers.par_chunks(TILE).zip(radii.par_chunks(TILE)).zip(results.par_chunks_mut(TILE)).enumerate();
-    tiles.try_for_each(|(number, ((centers, radii), results))| {
-        check_spheres(centers, radii, eye, number * TILE)?;
+    let chunks = centers.par_chunks(CHUNK).zip(radii.par_chunks(CHUNK)).zip(results.par_chunks_mut(CHUNK)).enumerate();
+    chunks.try_for_each(|(number, ((centers, radii), results))| {
+        check_spheres(centers, radii, eye, number * CHUNK)?;
         compute(centers, radii, results)
     })
 }
@@ -81,7 +81,7 @@ pub fn solid_angles(
     to: &mut [f64],
     progress: &Progress,
 ) -> Result<()> {
-    each_tile(centers, radii, eye, to, |centers, radii, to| {
+    each_chunk(centers, radii, eye, to, |centers, radii, to| {
         for ((center, &radius), to) in centers.iter().zip(radii).zip(to) {
             let view = SphereView::new(DVec3::from_array(*center) - eye, radius);
             *to = view.map_or(4.0 * PI, |view| view.solid_angle());

@@ -14,10 +14,10 @@ use crate::base::{Error, Progress, Result, by_number, by_object, ensure};
 use crate::scene::{Material, Mesh, Scene};
 
 /// Number of faces per task.
-const TILE: usize = 1 << 14;
+const CHUNK: usize = 1 << 14;
 
-/// Returns, for each texture, the minimum number of texels per radian over the faces that show it; ∞ if none does. A
-/// face has its texels per metre, in the direction in which they are densest, times the distance of its object.
+/// Returns, for each texture, the minimum number of texels per radian over the faces that show it; ∞ if none does. For
+/// a face this is its texels per metre, along the direction of the highest density, times the distance of its object.
 /// `distances` has the minimum distance of each object in metres; its last entry is for faces without an object.
 ///
 /// A mesh with several placements is read once. A placement with a non-uniform scale counts with its maximum scale.
@@ -26,13 +26,13 @@ pub fn texels_per_radian(scene: &Scene, distances: &[f64], progress: &Progress) 
     if let Some(wrong) = distances.iter().find(|distance| distance.is_nan() || **distance < 0.0) {
         return Err(Error::value("distances", "distances of at least 0", wrong));
     }
-    let views = views(scene, distances);
-    progress.expect(views.iter().map(|view| view.mesh.faces.len() as u64).sum());
+    let seen_meshes = seen_meshes(scene, distances);
+    progress.expect(seen_meshes.iter().map(|seen| seen.mesh.faces.len() as u64).sum());
     let min_texels = MinTexels(scene.textures.iter().map(|_| AtomicU64::new(f64::INFINITY.to_bits())).collect());
-    views.par_iter().try_for_each(|view| {
-        view.mesh.faces.par_chunks(TILE).enumerate().try_for_each(|(tile, faces)| {
-            let first = (tile * TILE) as u32;
-            min_texels.lower_by_faces(scene, view, distances, first..first + faces.len() as u32);
+    seen_meshes.par_iter().try_for_each(|seen| {
+        seen.mesh.faces.par_chunks(CHUNK).enumerate().try_for_each(|(chunk, faces)| {
+            let first = (chunk * CHUNK) as u32;
+            min_texels.lower_by_faces(scene, seen, distances, first..first + faces.len() as u32);
             progress.report(faces.len() as u64)
         })
     })?;
@@ -40,7 +40,7 @@ pub fn texels_per_radian(scene: &Scene, distances: &[f64], progress: &Progress) 
 }
 
 /// A mesh with textures, and the distances of its placements.
-struct View<'a> {
+struct SeenMesh<'a> {
     mesh: &'a Mesh,
     /// Minimum of distance / scale over the placements that are one object.
     distance: f64,
@@ -49,23 +49,23 @@ struct View<'a> {
 }
 
 /// Returns the textured meshes of a scene that are at a finite distance.
-fn views<'a>(scene: &'a Scene, distances: &[f64]) -> Vec<View<'a>> {
+fn seen_meshes<'a>(scene: &'a Scene, distances: &[f64]) -> Vec<SeenMesh<'a>> {
     let mut indices: HashMap<*const Mesh, usize> = HashMap::new();
-    let mut views: Vec<View<'a>> = Vec::new();
+    let mut seen_meshes: Vec<SeenMesh<'a>> = Vec::new();
     for instance in scene.instances().filter(|instance| is_textured(scene, &instance.mesh)) {
         let index = *indices.entry(ptr::from_ref(&*instance.mesh)).or_insert_with(|| {
-            views.push(View { mesh: &instance.mesh, distance: f64::INFINITY, scale: 0.0 });
-            views.len() - 1
+            seen_meshes.push(SeenMesh { mesh: &instance.mesh, distance: f64::INFINITY, scale: 0.0 });
+            seen_meshes.len() - 1
         });
-        let view = &mut views[index];
+        let seen = &mut seen_meshes[index];
         let scale = scale(&instance.to_scene.matrix3);
         match only_object(instance) {
-            Some(object) => view.distance = view.distance.min(*by_object(distances, object) / scale),
-            None => view.scale = view.scale.max(scale),
+            Some(object) => seen.distance = seen.distance.min(*by_object(distances, object) / scale),
+            None => seen.scale = seen.scale.max(scale),
         }
     }
-    views.retain(|view| view.scale > 0.0 || view.distance < f64::INFINITY);
-    views
+    seen_meshes.retain(|seen| seen.scale > 0.0 || seen.distance < f64::INFINITY);
+    seen_meshes
 }
 
 fn is_textured(scene: &Scene, mesh: &Mesh) -> bool {
@@ -82,22 +82,22 @@ fn textures_of(scene: &Scene, material: i32) -> impl Iterator<Item = usize> {
 struct MinTexels(Vec<AtomicU64>);
 
 impl MinTexels {
-    fn lower_by_faces(&self, scene: &Scene, view: &View<'_>, distances: &[f64], faces: Range<u32>) {
-        let Some(uvs) = view.mesh.uvs.as_deref() else { return };
+    fn lower_by_faces(&self, scene: &Scene, seen: &SeenMesh<'_>, distances: &[f64], faces: Range<u32>) {
+        let Some(uvs) = seen.mesh.uvs.as_deref() else { return };
         let mut run = (None, f64::INFINITY);
         for face in faces {
-            let mut distance = view.distance;
-            if view.scale > 0.0 {
-                distance = distance.min(*by_object(distances, view.mesh.objects.get(face)) / view.scale);
+            let mut distance = seen.distance;
+            if seen.scale > 0.0 {
+                distance = distance.min(*by_object(distances, seen.mesh.objects.get(face)) / seen.scale);
             }
             if distance == f64::INFINITY {
                 continue;
             }
-            for texture in textures_of(scene, view.mesh.materials.get(face)) {
+            for texture in textures_of(scene, seen.mesh.materials.get(face)) {
                 let image = &scene.textures[texture];
                 let size = [f64::from(image.width), f64::from(image.height)];
-                let corners = view.mesh.corners(face).map(|corner| corner.as_dvec3());
-                let texels = view.mesh.faces[face as usize].map(|vertex| {
+                let corners = seen.mesh.corners(face).map(|corner| corner.as_dvec3());
+                let texels = seen.mesh.faces[face as usize].map(|vertex| {
                     let [u, v] = uvs[vertex as usize].map(f64::from);
                     [u * size[0], v * size[1]]
                 });
@@ -154,9 +154,9 @@ mod tests {
 
     /// Random triangles with two textured materials, one of them emissive, and one without a texture.
     fn mesh(seed: u64, objects: FaceMap) -> Arc<Mesh> {
-        let number = |cell: u64, row: u64| (4.0 * uniform(seed, cell, row) - 2.0) as f32;
-        let positions = (0..3 * FACES).map(|row| [0, 1, 2].map(|cell| number(cell, row))).collect();
-        let uvs = (0..3 * FACES).map(|row| [3, 4].map(|cell| number(cell, row))).collect();
+        let number = |stream: u64, row: u64| (4.0 * uniform(seed, stream, row) - 2.0) as f32;
+        let positions = (0..3 * FACES).map(|row| [0, 1, 2].map(|stream| number(stream, row))).collect();
+        let uvs = (0..3 * FACES).map(|row| [3, 4].map(|stream| number(stream, row))).collect();
         let faces = (0..FACES as u32).map(|n| [3 * n, 3 * n + 1, 3 * n + 2]).collect();
         let materials = FaceMap::PerFace((0..FACES as i32).map(|n| n % 4 - 1).collect());
         Arc::new(Mesh::new(positions, faces, Some(uvs), None, objects, materials).unwrap())

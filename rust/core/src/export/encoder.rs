@@ -139,7 +139,7 @@ impl Export {
             let part = self.mesh_part(faces);
             // A placement multiplies errors by at most this factor.
             let stretch = greatest_stretch(&self.scene.instance(faces.instance).to_scene.matrix3);
-            let grid = Grid::new(self.settings.step / stretch, f64::from(part.mesh.bounds().reach()));
+            let grid = Grid::new(self.settings.step / stretch, f64::from(part.mesh.bounds().max_coordinate()));
             let mut encoded = encode(&[part], grid)?;
             encoded.statistics.position_error *= stretch;
             Ok(Some(encoded))

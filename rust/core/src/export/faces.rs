@@ -10,7 +10,7 @@ use crate::base::{Progress, Result};
 use crate::scene::{Instance, Mesh};
 
 /// Number of faces per task.
-const TILE: usize = 1 << 16;
+const CHUNK: usize = 1 << 16;
 
 /// Maximum number of faces per primitive. Larger primitives are divided so that several threads share the work,
 /// cancelling takes less than a second, and all viewers can draw the meshes.
@@ -84,7 +84,7 @@ pub(super) fn primitives<'a>(
 
 /// Groups the faces of a part by primitive.
 fn group_by_key(part: &Part<'_>, surfaces: &Surfaces, progress: &Progress) -> Result<BTreeMap<Key, Vec<u32>>> {
-    let tiles = in_ranges(part.count(), TILE, |indices| {
+    let chunks = in_ranges(part.count(), CHUNK, |indices| {
         progress.check()?;
         let faces = indices.map(|index| part.face(index));
         let mut keyed: Vec<(Key, u32)> = faces.map(|face| (key_of(part.mesh, face, surfaces), face)).collect();
@@ -92,7 +92,7 @@ fn group_by_key(part: &Part<'_>, surfaces: &Surfaces, progress: &Progress) -> Re
         Ok(keyed)
     })?;
     let mut joined: BTreeMap<Key, Vec<u32>> = BTreeMap::new();
-    for run in tiles.iter().flat_map(|tile| tile.chunk_by(|a, b| a.0 == b.0)) {
+    for run in chunks.iter().flat_map(|chunk| chunk.chunk_by(|a, b| a.0 == b.0)) {
         joined.entry(run[0].0).or_default().extend(run.iter().map(|&(_, face)| face));
     }
     Ok(joined)

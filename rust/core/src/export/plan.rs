@@ -139,7 +139,7 @@ impl Plan {
                     contents[usize::from(group_of(object))].moving.push(Moving { object, faces, shared: None });
                 }
             } else {
-                reach = reach.max(placed.instance.bounds.reach());
+                reach = reach.max(placed.instance.bounds.max_coordinate());
                 for (group, faces) in divide(placed, group_of)? {
                     contents[usize::from(group)].merged.push(InstanceFaces { instance: placed.number, faces });
                 }
@@ -184,7 +184,7 @@ fn shared_meshes(all: &[PlacedInstance<'_>], step: f64, group_of: &impl Fn(i32) 
             if placed.moves { greatest_stretch(matrix) } else { stretch(matrix) }
         };
         let stretch = users.iter().map(stretch_of).fold(f64::MIN_POSITIVE, f64::max);
-        let grid = Grid::new(step / stretch, f64::from(mesh.bounds().reach()));
+        let grid = Grid::new(step / stretch, f64::from(mesh.bounds().max_coordinate()));
         let mut groups: Vec<u16> = users.iter().filter_map(|placed| placed.object.map(group_of)).collect();
         groups.sort_unstable();
         groups.dedup();

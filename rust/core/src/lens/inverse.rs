@@ -13,13 +13,13 @@ use crate::base::simd::vectorized;
 use crate::base::{Error, Progress, Real, Result};
 
 /// Number of radii per task: fixed, and small enough for the first-level cache.
-const TILE: usize = 1 << 10;
+const CHUNK: usize = 1 << 10;
 /// Number of radii that a kernel processes together.
 pub(super) const LANES: usize = 32;
 
-/// float64 copies of a tile's radii, aligned for vector loads.
+/// float64 copies of a chunk's radii, aligned for vector loads.
 #[repr(align(64))]
-struct TileBuffer([f64; TILE]);
+struct ChunkBuffer([f64; CHUNK]);
 
 /// Method for f⁻¹.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -35,13 +35,13 @@ pub enum InverseMethod {
 impl RadialLens {
     /// Writes f(r) of radii of either sign. Radii beyond r_max give NaN, or an error if `refuse`.
     pub fn distort_all<T: Real>(&self, r: &[T], to: &mut [T], refuse: bool, progress: &Progress) -> Result<()> {
-        each_tile(r, to, refuse.then_some(self.radial.r_max), progress, |tile| self.distort_blocks(tile))
+        each_chunk(r, to, refuse.then_some(self.radial.r_max), progress, |chunk| self.distort_blocks(chunk))
     }
 
     /// Writes f′(r) of radii of either sign; the error is at most 2 (n + 1) roundings of Σ |terms| for n coefficients.
     pub fn derivative_all<T: Real>(&self, r: &[T], to: &mut [T], refuse: bool, progress: &Progress) -> Result<()> {
         let Radial { slope, r_max, .. } = &self.radial;
-        each_tile(r, to, refuse.then_some(*r_max), progress, |tile| slope_tile(slope, *r_max, tile))
+        each_chunk(r, to, refuse.then_some(*r_max), progress, |chunk| slope_chunk(slope, *r_max, chunk))
     }
 
     /// Writes f⁻¹(x) of distorted radii of either sign. Radii beyond f(r_max) give NaN, or an error if `refuse`.
@@ -54,48 +54,48 @@ impl RadialLens {
         progress: &Progress,
     ) -> Result<()> {
         if let InverseMethod::FixedPoint(steps) = method {
-            return each_tile(x, to, None, progress, |tile| fixed_point_tile(&self.radial.k, steps, tile));
+            return each_chunk(x, to, None, progress, |chunk| fixed_point_chunk(&self.radial.k, steps, chunk));
         }
         let (end, exact) = (refuse.then_some(self.radial.x_max), method == InverseMethod::Newton);
-        each_tile(x, to, end, progress, |tile| self.undistort_blocks(tile, exact, T::SLACK))
+        each_chunk(x, to, end, progress, |chunk| self.undistort_blocks(chunk, exact, T::SLACK))
     }
 
     /// Replaces each radius r by f(r). The number of radii is a multiple of `LANES`.
-    pub(super) fn distort_blocks(&self, tile: &mut [f64]) {
-        distort_tile(&self.radial.k, self.radial.r_max, tile);
+    pub(super) fn distort_blocks(&self, chunk: &mut [f64]) {
+        distort_chunk(&self.radial.k, self.radial.r_max, chunk);
     }
 
     /// Replaces each distorted radius x by f⁻¹(x): from the table, or by Newton's method if `exact`. The number of
     /// radii is a multiple of `LANES`. Radii of up to (1 + `slack`) f(r_max) count as f(r_max), because of rounding.
-    pub(super) fn undistort_blocks(&self, tile: &mut [f64], exact: bool, slack: f64) {
+    pub(super) fn undistort_blocks(&self, chunk: &mut [f64], exact: bool, slack: f64) {
         let mut failed = Vec::new();
         match self.table() {
             None => {
-                failed.extend((0..tile.len() as u32).filter(|&n| !(-FARTHEST..=FARTHEST).contains(&tile[n as usize])))
+                failed.extend((0..chunk.len() as u32).filter(|&n| !(-FARTHEST..=FARTHEST).contains(&chunk[n as usize])))
             }
-            Some(table) if exact => newton_tile(&self.radial.k, &self.radial.slope, table, tile, &mut failed),
-            Some(table) => table_tile(table, tile, &mut failed),
+            Some(table) if exact => newton_chunk(&self.radial.k, &self.radial.slope, table, chunk, &mut failed),
+            Some(table) => table_chunk(table, chunk, &mut failed),
         }
         let end = self.radial.x_max;
         for index in failed {
-            let x = tile[index as usize];
+            let x = chunk[index as usize];
             let magnitude = if x.abs() <= end * (1.0 + slack) { x.abs().min(end) } else { x.abs() };
-            tile[index as usize] = self.undistort(magnitude).copysign(x);
+            chunk[index as usize] = self.undistort(magnitude).copysign(x);
         }
     }
 }
 
-/// Runs a kernel over float64 copies of tiles. Fails for NaN if `end`, the largest defined radius, is given.
-fn each_tile<T: Real>(
+/// Runs a kernel over float64 copies of chunks. Fails for NaN if `end`, the largest defined radius, is given.
+fn each_chunk<T: Real>(
     from: &[T],
     to: &mut [T],
     end: Option<f64>,
     progress: &Progress,
     kernel: impl Fn(&mut [f64]) + Sync,
 ) -> Result<()> {
-    let tiles = from.par_chunks(TILE).zip(to.par_chunks_mut(TILE)).map(|(from, to)| {
-        // Tiles are padded with zeros to whole blocks, so that kernels need no loop for a remainder.
-        let mut buffer = TileBuffer([0.0; TILE]);
+    let chunks = from.par_chunks(CHUNK).zip(to.par_chunks_mut(CHUNK)).map(|(from, to)| {
+        // Chunks are padded with zeros to whole blocks, so that kernels need no loop for a remainder.
+        let mut buffer = ChunkBuffer([0.0; CHUNK]);
         for (value, radius) in buffer.0.iter_mut().zip(from) {
             *value = radius.wide();
         }
@@ -107,7 +107,7 @@ fn each_tile<T: Real>(
         }
         progress.check().map(|()| has_nan)
     });
-    let has_nan = tiles.try_reduce(|| false, |a, b| Ok(a | b))?;
+    let has_nan = chunks.try_reduce(|| false, |a, b| Ok(a | b))?;
     let Some(end) = end.filter(|_| has_nan) else { return Ok(()) };
     let index = to.iter().position(|value| value.wide().is_nan()).unwrap_or(0);
     let expected = if end < FARTHEST {
@@ -119,17 +119,17 @@ fn each_tile<T: Real>(
 }
 
 vectorized! {
-    fn distort_tile(k: &[f64], r_max: f64, tile: &mut [f64]) = fused distort_kernel;
-    fn slope_tile(slope: &[f64], r_max: f64, tile: &mut [f64]) = fused slope_kernel;
-    fn fixed_point_tile(k: &[f64], steps: u32, tile: &mut [f64]) = fused fixed_point_kernel;
-    fn table_tile(table: &Table, tile: &mut [f64], failed: &mut Vec<u32>) = fused table_kernel;
-    fn newton_tile(k: &[f64], slope: &[f64], table: &Table, tile: &mut [f64], failed: &mut Vec<u32>) =
+    fn distort_chunk(k: &[f64], r_max: f64, chunk: &mut [f64]) = fused distort_kernel;
+    fn slope_chunk(slope: &[f64], r_max: f64, chunk: &mut [f64]) = fused slope_kernel;
+    fn fixed_point_chunk(k: &[f64], steps: u32, chunk: &mut [f64]) = fused fixed_point_kernel;
+    fn table_chunk(table: &Table, chunk: &mut [f64], failed: &mut Vec<u32>) = fused table_kernel;
+    fn newton_chunk(k: &[f64], slope: &[f64], table: &Table, chunk: &mut [f64], failed: &mut Vec<u32>) =
         fused newton_kernel;
 }
 
 #[inline(always)]
-fn distort_kernel<const FUSED: bool>(k: &[f64], r_max: f64, tile: &mut [f64]) {
-    for block in tile.as_chunks_mut::<LANES>().0 {
+fn distort_kernel<const FUSED: bool>(k: &[f64], r_max: f64, chunk: &mut [f64]) {
+    for block in chunk.as_chunks_mut::<LANES>().0 {
         let r = *block;
         residual_block::<FUSED>(k, &r, &[0.0; LANES], block);
         for n in 0..LANES {
@@ -164,8 +164,8 @@ fn residual_block<const FUSED: bool>(k: &[f64], r: &[f64; LANES], x: &[f64; LANE
 }
 
 #[inline(always)]
-fn slope_kernel<const FUSED: bool>(slope: &[f64], r_max: f64, tile: &mut [f64]) {
-    for block in tile.as_chunks_mut::<LANES>().0 {
+fn slope_kernel<const FUSED: bool>(slope: &[f64], r_max: f64, chunk: &mut [f64]) {
+    for block in chunk.as_chunks_mut::<LANES>().0 {
         let r = *block;
         let (highest, lower) = slope.split_last().unwrap_or((&1.0, &[]));
         *block = [*highest; LANES];
@@ -181,8 +181,8 @@ fn slope_kernel<const FUSED: bool>(slope: &[f64], r_max: f64, tile: &mut [f64]) 
 }
 
 #[inline(always)]
-fn fixed_point_kernel<const FUSED: bool>(k: &[f64], steps: u32, tile: &mut [f64]) {
-    for block in tile.as_chunks_mut::<LANES>().0 {
+fn fixed_point_kernel<const FUSED: bool>(k: &[f64], steps: u32, chunk: &mut [f64]) {
+    for block in chunk.as_chunks_mut::<LANES>().0 {
         let x = *block;
         for _ in 0..steps {
             let mut factor = [0.0; LANES];
@@ -225,8 +225,8 @@ pub(super) fn cubic_block(table: &Table, x: &[f64; LANES], to: &mut [f64; LANES]
 }
 
 #[inline(always)]
-fn table_kernel<const FUSED: bool>(table: &Table, tile: &mut [f64], failed: &mut Vec<u32>) {
-    for (number, block) in tile.as_chunks_mut::<LANES>().0.iter_mut().enumerate() {
+fn table_kernel<const FUSED: bool>(table: &Table, chunk: &mut [f64], failed: &mut Vec<u32>) {
+    for (number, block) in chunk.as_chunks_mut::<LANES>().0.iter_mut().enumerate() {
         let x = *block;
         let mut r = [0.0; LANES];
         cubic_block(table, &x, &mut r);
@@ -245,8 +245,8 @@ fn table_kernel<const FUSED: bool>(table: &Table, tile: &mut [f64], failed: &mut
 
 /// Refines the table's value by two Newton steps; the second computes its residual with twice the precision.
 #[inline(always)]
-fn newton_kernel<const FUSED: bool>(k: &[f64], slope: &[f64], table: &Table, tile: &mut [f64], failed: &mut Vec<u32>) {
-    for (number, block) in tile.as_chunks_mut::<LANES>().0.iter_mut().enumerate() {
+fn newton_kernel<const FUSED: bool>(k: &[f64], slope: &[f64], table: &Table, chunk: &mut [f64], failed: &mut Vec<u32>) {
+    for (number, block) in chunk.as_chunks_mut::<LANES>().0.iter_mut().enumerate() {
         let mut x = *block;
         for x in &mut x {
             *x = x.abs();

@@ -12,7 +12,7 @@ use crate::base::simd::vectorized;
 use crate::base::{Error, Progress, Real, Result};
 
 /// Number of points in one task; their data fits in the first-level cache.
-pub(super) const TILE: usize = 1 << 9;
+pub(super) const CHUNK: usize = 1 << 9;
 /// Bound of a radius' relative rounding error: two squares, their sum, its root, and the scaling of points.
 pub(super) const ROUNDINGS: f64 = 8.0 * f64::EPSILON;
 /// Maximum number of steps of Newton's method, which needs five from a good start.
@@ -20,29 +20,29 @@ const NEWTON_STEPS: u32 = 40;
 /// Number of steps from the disc's centre to the target, for points at which Newton's method fails from its start.
 const PATH_PARTS: u32 = 64;
 
-/// Points of a task as arrays: x, y, radius, and radius of the image.
+/// Points of a task as arrays: x, y, radius, and radius after the distortion or its inverse.
 #[repr(align(64))]
-pub(super) struct PointTile {
-    x: [f64; TILE],
-    y: [f64; TILE],
-    radius: [f64; TILE],
-    image: [f64; TILE],
+pub(super) struct PointChunk {
+    x: [f64; CHUNK],
+    y: [f64; CHUNK],
+    radius: [f64; CHUNK],
+    mapped_radius: [f64; CHUNK],
 }
 
-impl PointTile {
+impl PointChunk {
     pub(super) fn new<T: Real>(points: &[[T; 2]]) -> Self {
-        let mut tile = Self { x: [0.0; TILE], y: [0.0; TILE], radius: [0.0; TILE], image: [0.0; TILE] };
+        let mut chunk = Self { x: [0.0; CHUNK], y: [0.0; CHUNK], radius: [0.0; CHUNK], mapped_radius: [0.0; CHUNK] };
         for (n, [x, y]) in points.iter().enumerate() {
-            (tile.x[n], tile.y[n]) = (x.wide(), y.wide());
+            (chunk.x[n], chunk.y[n]) = (x.wide(), y.wide());
         }
-        measure(&mut tile, points.len().next_multiple_of(LANES));
-        tile
+        measure(&mut chunk, points.len().next_multiple_of(LANES));
+        chunk
     }
 
     /// Moves points along their radii to the radii that `radii` computes.
     pub(super) fn scale_radii<T: Real>(&mut self, to: &mut [[T; 2]], radii: impl FnOnce(&mut [f64])) {
         let count = to.len().next_multiple_of(LANES);
-        radii(&mut self.image[..count]);
+        radii(&mut self.mapped_radius[..count]);
         scale(self, count);
         for (n, to) in to.iter_mut().enumerate() {
             *to = [T::narrow(self.x[n]), T::narrow(self.y[n])];
@@ -51,29 +51,29 @@ impl PointTile {
 }
 
 vectorized! {
-    fn measure(tile: &mut PointTile, count: usize) = measure_all;
-    fn scale(tile: &mut PointTile, count: usize) = scale_all;
+    fn measure(chunk: &mut PointChunk, count: usize) = measure_all;
+    fn scale(chunk: &mut PointChunk, count: usize) = scale_all;
 }
 
 #[inline(always)]
-fn measure_all(tile: &mut PointTile, count: usize) {
-    for n in 0..count.min(TILE) {
-        tile.radius[n] = (tile.x[n] * tile.x[n] + tile.y[n] * tile.y[n]).sqrt();
+fn measure_all(chunk: &mut PointChunk, count: usize) {
+    for n in 0..count.min(CHUNK) {
+        chunk.radius[n] = (chunk.x[n] * chunk.x[n] + chunk.y[n] * chunk.y[n]).sqrt();
     }
-    tile.image = tile.radius;
+    chunk.mapped_radius = chunk.radius;
 }
 
 #[inline(always)]
-fn scale_all(tile: &mut PointTile, count: usize) {
-    for n in 0..count.min(TILE) {
-        let factor = if tile.radius[n] == 0.0 { 1.0 } else { tile.image[n] / tile.radius[n] };
-        tile.x[n] *= factor;
-        tile.y[n] *= factor;
+fn scale_all(chunk: &mut PointChunk, count: usize) {
+    for n in 0..count.min(CHUNK) {
+        let factor = if chunk.radius[n] == 0.0 { 1.0 } else { chunk.mapped_radius[n] / chunk.radius[n] };
+        chunk.x[n] *= factor;
+        chunk.y[n] *= factor;
     }
 }
 
 impl RadialLens {
-    /// Writes the images of points. Points outside the disc of radius `reach` give NaN, or an error if `refuse`.
+    /// Writes the distorted points. Points outside the disc of radius `reach` give NaN, or an error if `refuse`.
     pub fn distort_points<T: Real>(
         &self,
         points: &[[T; 2]],
@@ -83,11 +83,12 @@ impl RadialLens {
     ) -> Result<()> {
         let radii = |radii: &mut [f64]| self.distort_blocks(radii);
         let tangential =
-            |p: DVec2, _, _| if p.length() <= self.reach { self.image_and_jacobian(p).0 } else { DVec2::NAN };
+            |p: DVec2, _, _| if p.length() <= self.reach { self.value_and_jacobian(p).0 } else { DVec2::NAN };
         self.each_point(points, to, refuse, progress, radii, tangential)
     }
 
-    /// Writes the points with the given images; NaN, or an error if `refuse`, if the disc of radius `reach` has none.
+    /// Writes the undistorted points. NaN, or an error if `refuse`, if no point in the disc of radius `reach` is distorted to
+    /// the given one.
     pub fn undistort_points<T: Real>(
         &self,
         points: &[[T; 2]],
@@ -112,18 +113,18 @@ impl RadialLens {
         tangential: impl Fn(DVec2, f64, f64) -> DVec2 + Sync,
     ) -> Result<()> {
         let is_undefined = |[x, y]: &[T; 2]| (x.wide() + y.wide()).is_nan();
-        let tiles = points.par_chunks(TILE).zip(to.par_chunks_mut(TILE)).map(|(from, to)| {
-            let mut tile = PointTile::new(from);
-            tile.scale_radii(to, &radii);
+        let chunks = points.par_chunks(CHUNK).zip(to.par_chunks_mut(CHUNK)).map(|(from, to)| {
+            let mut chunk = PointChunk::new(from);
+            chunk.scale_radii(to, &radii);
             if self.tangential != [0.0; 2] {
                 for (n, to) in to.iter_mut().enumerate() {
                     let p = DVec2::new(from[n][0].wide(), from[n][1].wide());
-                    *to = tangential(p, tile.radius[n], tile.image[n]).to_array().map(T::narrow);
+                    *to = tangential(p, chunk.radius[n], chunk.mapped_radius[n]).to_array().map(T::narrow);
                 }
             }
             progress.check().map(|()| refuse && to.iter().any(is_undefined))
         });
-        let is_refused = tiles.try_reduce(|| false, |a, b| Ok(a | b))?;
+        let is_refused = chunks.try_reduce(|| false, |a, b| Ok(a | b))?;
         let first = if is_refused { to.iter().position(is_undefined) } else { None };
         let Some(index) = first else { return Ok(()) };
         let expected = format!("points of the lens's image, within r = {}", self.reach);
@@ -138,11 +139,11 @@ impl RadialLens {
         DVec2::new(p1 * product + p2 * (square + 2.0 * p.x * p.x), p1 * (square + 2.0 * p.y * p.y) + p2 * product)
     }
 
-    /// Returns the image of a point, and the Jacobian there.
-    fn image_and_jacobian(&self, p: DVec2) -> (DVec2, DMat2) {
+    /// Returns the distorted point, and the Jacobian there.
+    fn value_and_jacobian(&self, p: DVec2) -> (DVec2, DMat2) {
         let square = p.length_squared();
         let factor = 1.0 + square * polynomial::value(&self.radial.k, square);
-        // With F = f(r)/r, f′ = F + 2 r² dF/dr².
+        // With s = r² and F(s) = f(r)/r: f′(r) = F + 2 s dF/ds.
         let growth = if square > 0.0 { (polynomial::value(&self.radial.slope, square) - factor) / square } else { 0.0 };
         let [p1, p2] = self.tangential;
         let mixed = growth * p.x * p.y + 2.0 * (p1 * p.x + p2 * p.y);
@@ -172,7 +173,7 @@ impl RadialLens {
 
     /// Finds a root by Newton's method. Steps are shortened until they reduce the residual and stay in the disc.
     fn descend(&self, mut p: DVec2, target: DVec2) -> Option<DVec2> {
-        let (mut image, mut jacobian) = self.image_and_jacobian(p);
+        let (mut image, mut jacobian) = self.value_and_jacobian(p);
         'steps: for _ in 0..NEWTON_STEPS {
             let residual = image - target;
             let step = jacobian.inverse() * residual;
@@ -183,7 +184,7 @@ impl RadialLens {
             // If no fraction of the step reduces the residual, the point is a root, or at the disc's border.
             while fraction >= 1e-3 {
                 let next = p - fraction * step;
-                let (next_image, next_jacobian) = self.image_and_jacobian(next);
+                let (next_image, next_jacobian) = self.value_and_jacobian(next);
                 if next.length() <= self.reach && (next_image - target).length() < residual.length() {
                     (p, image, jacobian) = (next, next_image, next_jacobian);
                     continue 'steps;

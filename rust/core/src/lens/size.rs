@@ -8,7 +8,7 @@ use glam::DVec3;
 use super::inverse::LANES;
 use super::radial::RadialLens;
 use crate::base::{Progress, Result, ensure};
-use crate::bounds::{SphereView, each_tile};
+use crate::bounds::{SphereView, each_chunk};
 
 /// The exact area of a sphere whose half angle is below this fraction of its distance to 90° and to the fold is
 /// computed from the mean magnification at seven points, with a relative error of 10⁻¹⁴. The sum around its edge would
@@ -46,7 +46,7 @@ pub fn corrected_solid_angles(
 ) -> Result<()> {
     let is_valid = sizes.tan_omega > 0.0 && sizes.tan_omega.is_finite();
     ensure!(is_valid, "lens_radius", "a tangent above 0", sizes.tan_omega);
-    each_tile(centers, radii, sizes.eye, to, |centers, radii, to| {
+    each_chunk(centers, radii, sizes.eye, to, |centers, radii, to| {
         // An exact area takes up to a millisecond.
         let spheres = centers.chunks(SPHERES_PER_CHECK).zip(radii.chunks(SPHERES_PER_CHECK));
         spheres.zip(to.chunks_mut(SPHERES_PER_CHECK)).try_for_each(|((centers, radii), to)| {

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 
-use super::points::{PointTile, TILE};
+use super::points::{CHUNK, PointChunk};
 use super::radial::RadialLens;
 use crate::base::simd::vectorized;
 use crate::base::{Progress, Result};
@@ -106,8 +106,8 @@ impl WarpView {
         if lens.tangential != [0.0; 2] {
             return lens.undistort_points(positions, to, false, progress);
         }
-        for (from, to) in positions.chunks(TILE).zip(to.chunks_mut(TILE)) {
-            PointTile::new(from).scale_radii(to, |radii| lens.undistort_blocks(radii, false, 0.0));
+        for (from, to) in positions.chunks(CHUNK).zip(to.chunks_mut(CHUNK)) {
+            PointChunk::new(from).scale_radii(to, |radii| lens.undistort_blocks(radii, false, 0.0));
             progress.check()?;
         }
         Ok(())

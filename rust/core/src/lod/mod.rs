@@ -14,4 +14,4 @@ pub use select::{
     Acuity, Apparent, COLUMNS, Eye, EyeLens, Frustum, Model, Objects, Parameters, Rules, SelectionCounts, SizeLimit,
     ThresholdLine, select,
 };
-pub use simplify::{Allowance, Charts, SurfacePlace, Vertices, collapse, first_alike, pieces};
+pub use simplify::{Allowance, ConnectedSurface, SurfacePlace, Vertices, collapse, first_alike, pieces};

@@ -13,7 +13,7 @@ use crate::base::mapped::in_ranges;
 use crate::base::{Progress, Result, ensure};
 
 /// Pixels per task: fixed, so that sums do not depend on the number of threads, and few enough for integer sums.
-const TILE: usize = 1 << 14;
+const CHUNK: usize = 1 << 14;
 
 /// Image size in bytes below which one thread is as fast as all.
 const SERIAL_BYTES: usize = 1 << 22;
@@ -27,10 +27,10 @@ pub struct Comparison {
     pub constants: Similarity,
     /// Factor by which images are shrunk before the comparison.
     pub shrink: usize,
-    /// Whether windows that extend beyond the image count too.
-    pub all: bool,
-    /// Whether windows ignore pixels outside the masks.
-    pub hidden: bool,
+    /// Whether to include windows across the image's border.
+    pub includes_border: bool,
+    /// Whether windows ignore pixels outside the masks, as `Mask::Windows`; otherwise only the mean does.
+    pub masks_windows: bool,
     /// Whether to compute the range of the images' values.
     pub ranges: bool,
 }
@@ -73,10 +73,11 @@ where
     ) -> Result<Vec<SimilaritySums>> {
         let jobs = self.jobs()?;
         progress.expect(jobs.len() as u64);
-        let Comparison { ref window, constants, shrink, all, hidden, ranges } = *comparison;
+        let Comparison { ref window, constants, shrink, includes_border, masks_windows, ranges } = *comparison;
         let compare = |(pair, mask): &Job<'_, P>, map: Option<&mut [P::Real]>| {
-            let mask = mask.map(if hidden { Mask::Windows } else { Mask::Mean });
-            let selection = Selection { all, mask, contrast: false, range: ranges && shrink == 1, progress };
+            let mask = mask.map(if masks_windows { Mask::Windows } else { Mask::Mean });
+            let selection =
+                Selection { includes_border, mask, contrast: false, range: ranges && shrink == 1, progress };
             let mut sums;
             if shrink > 1 {
                 let smaller = Shrunk::new(pair, shrink, progress)?;
@@ -126,20 +127,20 @@ pub struct SquaredError {
 fn mean_squared_error<P: PixelRows>(pair: &Pair<'_, P>, range: bool, progress: &Progress) -> Result<SquaredError> {
     let (height, width) = (pair.reference.height, pair.reference.width);
     let run = |row: usize, first: usize| {
-        let end = width.min(first + TILE);
+        let end = width.min(first + CHUNK);
         match (pair.reference.run(row, first..end), pair.test.run(row, first..end)) {
             (Some(x), Some(y)) => P::squares(x, y),
             _ => (first..end).map(|column| pair.square(row, column)).sum(),
         }
     };
-    let rows = (TILE / width).max(1);
+    let rows = (CHUNK / width).max(1);
     let task = |rows: Range<usize>| {
         let mut extremes = Extremes::default();
         let row_sum = |row: usize| -> f64 {
             if range {
                 pair.extend(&Region { rows: [row, row + 1], columns: [0, width] }, &mut extremes);
             }
-            (0..width).step_by(TILE).map(|first| run(row, first)).sum()
+            (0..width).step_by(CHUNK).map(|first| run(row, first)).sum()
         };
         let sum: f64 = rows.map(row_sum).sum();
         progress.check().map(|()| (sum, extremes.range()))

@@ -10,7 +10,7 @@ use crate::base::simd::{prefetch, vectorized};
 use crate::base::{Progress, Real, Result};
 
 /// Number of points in one task.
-const TILE: usize = 1 << 14;
+const CHUNK: usize = 1 << 14;
 /// Prefetch distance, blocks. Otherwise the loads of the next block would wait behind hundreds of instructions of this
 /// block. Prefetching saves a fifth of the time.
 const PREFETCHED_BLOCKS: usize = 4;
@@ -28,7 +28,7 @@ vectorized! {
 }
 
 impl Morph {
-    /// Morphs float32 or float64 points in tiles on the current thread pool. Unless directions are opposed, the error
+    /// Morphs float32 or float64 points in chunks on the current thread pool. Unless directions are opposed, the error
     /// is at most half a step of the result plus half an epsilon of the type times (6 + 3 r₂/(r₂−r₁)) |U−O|. At full
     /// strength, points inside r₁ are unchanged, and blends move points beyond r₂ to U + P − O, rounded once. NaN gives
     /// NaN. Returns the number of points with opposed directions. Both slices must have the same length.
@@ -41,25 +41,25 @@ impl Morph {
         assert_eq!(points.len(), morphed.len(), "one result for each point");
         if self.offset == DVec3::ZERO {
             // If user and centre coincide, no point moves.
-            points.par_chunks(TILE).zip(morphed.par_chunks_mut(TILE)).for_each(|(from, to)| to.copy_from_slice(from));
+            points.par_chunks(CHUNK).zip(morphed.par_chunks_mut(CHUNK)).for_each(|(from, to)| to.copy_from_slice(from));
             return Ok(0);
         }
         if self.kind == Kind::Blend && blend::is_applicable::<T>(self) {
             let constants = blend::Constants::new(self);
-            return morph_tiles(self, points, morphed, progress, |block, to| blend_block(&constants, block, to));
+            return morph_chunks(self, points, morphed, progress, |block, to| blend_block(&constants, block, to));
         }
-        morph_tiles(self, points, morphed, progress, |block, to| cylinder_block(self, block, to))
+        morph_chunks(self, points, morphed, progress, |block, to| cylinder_block(self, block, to))
     }
 }
 
-fn morph_tiles<T: BlendLimits>(
+fn morph_chunks<T: BlendLimits>(
     morph: &Morph,
     points: &[[T; 3]],
     morphed: &mut [[T; 3]],
     progress: &Progress,
     kernel: impl Fn(&[[T; 3]; BLOCK], &mut [[T; 3]; BLOCK]) -> u64 + Sync,
 ) -> Result<u64> {
-    let counts = points.par_chunks(TILE).zip(morphed.par_chunks_mut(TILE)).map(|(points, morphed)| {
+    let counts = points.par_chunks(CHUNK).zip(morphed.par_chunks_mut(CHUNK)).map(|(points, morphed)| {
         let (blocks, remaining) = points.as_chunks::<BLOCK>();
         let (morphed_blocks, morphed_remaining) = morphed.as_chunks_mut::<BLOCK>();
         let mut count = 0;

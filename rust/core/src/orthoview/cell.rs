@@ -86,7 +86,7 @@ impl OrthoCamera {
         self.extents.x.max(self.extents.y) / self.pixels as f64
     }
 
-    /// Returns the camera, located at the front of the depth range.
+    /// Returns the camera, located on its near plane, at the front of the depth interval.
     pub fn camera(&self) -> Result<Camera> {
         let half = self.extents / 2.0;
         let fov = Fov { left: -half.x, right: half.x, down: -half.y, up: half.y };

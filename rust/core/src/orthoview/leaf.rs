@@ -84,7 +84,7 @@ fn draw_layers<S: Surfaces>(
     }
     let step = step(drawing.ortho, format);
     let gap = f64::from(reach(drawing.ortho.pixel(), step)) * step;
-    let start = Start::from_first_ranges((0..4 * format.pixels()).map(|pixel| first.range(pixel)), gap as f32);
+    let start = Start::from_first_distances((0..4 * format.pixels()).map(|pixel| first.distance(pixel)), gap as f32);
     drop(first);
     let behind = encode_view(&draw(Some(&start))?, lines, drawing, format);
     drawing.progress.check()?;

@@ -13,14 +13,14 @@ use crate::trace::Hit;
 /// Triangles between two checks for cancellation.
 const TRIANGLES_PER_CHECK: u32 = 1 << 12;
 
-/// Returns the first hit of each pixel's ray within the cell; distances begin at the front of the depth range.
-/// `accepts_face` gets the numbers of an instance and a face, `accepts_depth` a pixel and a distance.
+/// Returns the first hit of each pixel's ray within the cell; distances begin at the near plane of its camera.
+/// `accepts_face` gets the numbers of an instance and a face, `accepts_distance` a pixel and a distance.
 pub fn first_hits(
     scene: &Scene,
     cell: &Cell,
     ortho: &OrthoCamera,
     accepts_face: impl Fn(u32, u32) -> bool,
-    accepts_depth: impl Fn(usize, f32) -> bool,
+    accepts_distance: impl Fn(usize, f32) -> bool,
     progress: &Progress,
 ) -> Result<Vec<Hit>> {
     let mut raster = Raster::new(scene, cell, ortho);
@@ -30,7 +30,7 @@ pub fn first_hits(
                 progress.check()?;
             }
             if accepts_face(number, face) {
-                raster.draw(number, instance, face, &accepts_depth);
+                raster.draw(number, instance, face, &accepts_distance);
             }
         }
     }
@@ -63,7 +63,7 @@ impl<'a> Raster<'a> {
         Self { scene, ortho, low, high, has_cutouts: scene.has_cutouts(), hits }
     }
 
-    fn draw(&mut self, number: u32, instance: &Instance, face: u32, accepts_depth: &impl Fn(usize, f32) -> bool) {
+    fn draw(&mut self, number: u32, instance: &Instance, face: u32, accepts_distance: &impl Fn(usize, f32) -> bool) {
         let corners = instance.corners(face).map(|corner| corner.as_dvec3());
         let least = corners[0].min(corners[1]).min(corners[2]);
         let greatest = corners[0].max(corners[1]).max(corners[2]);
@@ -90,7 +90,7 @@ impl<'a> Raster<'a> {
                 let depth = (0..3).map(|n| barycentric[n] * triangle.depths[n]).sum::<f64>() as f32;
                 let pixel = row * self.ortho.pixels + column;
                 // At equal depths the lower triangle number stays: it was drawn first.
-                if depth >= self.hits[pixel].t || !accepts_depth(pixel, depth) {
+                if depth >= self.hits[pixel].t || !accepts_distance(pixel, depth) {
                     continue;
                 }
                 let point = || (0..3).map(|n| corners[n] * barycentric[n]).sum::<DVec3>();

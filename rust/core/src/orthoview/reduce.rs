@@ -10,7 +10,7 @@ use crate::scene::srgb::srgb_from_linear;
 /// A surface shown by a pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample {
-    /// Depth in steps from the front of the range.
+    /// Depth in steps from the near plane of the cell's camera.
     pub depth: f32,
     /// Linear RGB.
     pub color: Vec3,

@@ -11,7 +11,7 @@ use super::reduce::Sample;
 use crate::base::{Progress, Result};
 use crate::camera::Footprint;
 use crate::render::truth::{self, Truth};
-use crate::render::{self, Channels, Facet, Frame, Picture, Pixels, RenderView, Spots, draw};
+use crate::render::{self, Channels, Facet, Frame, Picture, Pixels, RayPixels, RenderView, draw};
 use crate::scene::Scene;
 use crate::trace::{AlphaFilter, FaceHits, Hit, HitFilter, Ray};
 
@@ -33,8 +33,9 @@ pub struct Drawing<'a> {
 
 /// Hits of a picture's pixels.
 pub trait Surfaces: Sync {
-    /// Returns the distance of a pixel's surface from the front of the range, metres; infinite without a surface.
-    fn range(&self, pixel: usize) -> f32;
+    /// Returns the distance of a pixel's surface from the near plane of the cell's camera, metres; infinite without a
+    /// surface.
+    fn distance(&self, pixel: usize) -> f32;
 
     /// Creates a function that returns the surface of a pixel.
     fn sampler(&self) -> impl FnMut(usize) -> Option<Sample>;
@@ -55,8 +56,8 @@ pub struct ByTriangles<'a> {
 }
 
 impl<'a> Drawing<'a> {
-    /// Finds the first surfaces or, with `start`, the first ones beyond each pixel's start that face the viewer. With
-    /// `start`, the scene must have been built.
+    /// Finds the first surfaces or, with `start`, the first ones beyond each pixel's start that face the viewer. Without
+    /// `start` this builds the scene's BVH, which must exist with `start`.
     pub fn by_rays(&self, start: Option<&Start>) -> Result<ByRays> {
         let Self { scene, cell, ortho, step, progress } = *self;
         let (camera, limits) = (&ortho.camera()?, cell.limits(scene.origin)?);
@@ -71,7 +72,7 @@ impl<'a> Drawing<'a> {
         Ok(ByRays { picture, step })
     }
 
-    /// Finds the same surfaces by rasterisation; the scene need not be built.
+    /// Finds the same surfaces by rasterisation, which needs no BVH.
     pub fn by_triangles(&'a self, start: Option<&Start>) -> Result<ByTriangles<'a>> {
         let Self { scene, cell, ortho, progress, .. } = *self;
         let hits = match start {
@@ -79,7 +80,14 @@ impl<'a> Drawing<'a> {
             Some(start) => {
                 let fronts = FrontFaces::new(scene, ortho);
                 let is_front = |instance, face| fronts.contains(instance, face);
-                raster::first_hits(scene, cell, ortho, is_front, |pixel, depth| start.accepts(pixel, depth), progress)?
+                raster::first_hits(
+                    scene,
+                    cell,
+                    ortho,
+                    is_front,
+                    |pixel, distance| start.accepts(pixel, distance),
+                    progress,
+                )?
             }
         };
         let width = ortho.camera()?.rays().footprint(0.0, 0.0, 1.0).width;
@@ -88,15 +96,15 @@ impl<'a> Drawing<'a> {
 }
 
 impl Surfaces for ByRays {
-    fn range(&self, pixel: usize) -> f32 {
+    fn distance(&self, pixel: usize) -> f32 {
         self.picture.range[pixel]
     }
 
     fn sampler(&self) -> impl FnMut(usize) -> Option<Sample> {
         |pixel| {
-            let range = self.picture.range[pixel];
-            range.is_finite().then(|| Sample {
-                depth: range / self.step,
+            let distance = self.picture.range[pixel];
+            distance.is_finite().then(|| Sample {
+                depth: distance / self.step,
                 color: self.picture.albedo[pixel].into(),
                 normal: self.picture.normal[pixel].into(),
             })
@@ -105,7 +113,7 @@ impl Surfaces for ByRays {
 }
 
 impl Surfaces for ByTriangles<'_> {
-    fn range(&self, pixel: usize) -> f32 {
+    fn distance(&self, pixel: usize) -> f32 {
         self.hits[pixel].t
     }
 
@@ -131,24 +139,24 @@ impl Surfaces for ByTriangles<'_> {
 
 /// Start of the search for each pixel's second surface.
 pub struct Start {
-    /// Minimum distance from the front of the range, metres; infinite for pixels without a first surface.
-    min_range: Vec<f32>,
+    /// Minimum distance from the camera's near plane, metres; infinite for pixels without a first surface.
+    min_distance: Vec<f32>,
     /// Whether a pixel has a first surface.
     mask: Vec<bool>,
 }
 
 impl Start {
     /// Starts more than a gap behind the first surfaces, given their distances; metres.
-    pub fn from_first_ranges(first: impl Iterator<Item = f32>, gap: f32) -> Self {
-        let min_range: Vec<f32> = first.map(|range| (range + gap).next_up()).collect();
-        let mask = min_range.iter().map(|range| range.is_finite()).collect();
-        Self { min_range, mask }
+    pub fn from_first_distances(first: impl Iterator<Item = f32>, gap: f32) -> Self {
+        let min_distance: Vec<f32> = first.map(|distance| (distance + gap).next_up()).collect();
+        let mask = min_distance.iter().map(|distance| distance.is_finite()).collect();
+        Self { min_distance, mask }
     }
 
     /// Returns whether a distance is beyond a pixel's start.
     #[inline]
     fn accepts(&self, pixel: usize, distance: f32) -> bool {
-        distance >= self.min_range[pixel]
+        distance >= self.min_distance[pixel]
     }
 }
 
@@ -183,11 +191,11 @@ struct SecondSurfaces<'a> {
 }
 
 impl Picture for SecondSurfaces<'_> {
-    fn trace(&self, rays: &mut [Ray], hits: &mut [Hit], spots: &Spots<'_>) {
+    fn trace(&self, rays: &mut [Ray], hits: &mut [Hit], pixels: &RayPixels<'_>) {
         for (n, ray) in rays.iter_mut().enumerate() {
-            ray.t_min = ray.t_min.max(self.start.min_range[spots.index(n)]);
+            ray.t_min = ray.t_min.max(self.start.min_distance[pixels.index(n)]);
         }
-        self.truth.trace(rays, hits, spots);
+        self.truth.trace(rays, hits, pixels);
     }
 
     fn add_colors(&self, rays: &[Ray], hits: &[Hit], footprint: impl Fn(usize) -> Footprint, sums: &mut [[f32; 3]]) {
@@ -205,7 +213,7 @@ mod tests {
 
     #[test]
     fn second_surfaces_lie_more_than_a_gap_behind_first_ones() {
-        let start = Start::from_first_ranges([2.0, f32::INFINITY].into_iter(), 0.5);
+        let start = Start::from_first_distances([2.0, f32::INFINITY].into_iter(), 0.5);
         assert_eq!(start.mask, [true, false]);
         assert!(!start.accepts(0, 2.5) && start.accepts(0, 2.5f32.next_up()) && !start.accepts(1, f32::MAX));
     }

@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::classify::{Class, TriangleSet, Zone};
 use super::divide::Partition;
-use super::radii::{Indexed, Soup, TILE, TriangleSource, measure};
+use super::radii::{CHUNK, Indexed, Soup, TriangleSource, measure};
 use crate::base::memory::try_with_capacity;
 use crate::base::{Progress, Real, Result, ensure};
 
@@ -23,8 +23,8 @@ pub fn triangle_radii<T: Real>(
     let is_whole = radii.len() == expected && (faces.is_some() || vertices.len().is_multiple_of(3));
     ensure!(is_whole, "vertices", "three corners for each triangle", vertices.len());
     progress.expect(expected as u64);
-    radii.par_chunks_mut(TILE).enumerate().try_for_each(|(tile, radii)| {
-        let range = tile * TILE..tile * TILE + radii.len();
+    radii.par_chunks_mut(CHUNK).enumerate().try_for_each(|(chunk, radii)| {
+        let range = chunk * CHUNK..chunk * CHUNK + radii.len();
         match faces {
             Some(faces) => {
                 check_faces(&faces[range.clone()], vertices.len())?;

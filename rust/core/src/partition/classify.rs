@@ -9,7 +9,7 @@ use crate::base::{Aabb, Progress, Result};
 use crate::scene::Instance;
 
 /// Number of faces in one task.
-const TILE: usize = 1 << 15;
+const CHUNK: usize = 1 << 15;
 /// Twice the relative error of a radius rounded to float32. A class that follows from a box with this margin agrees
 /// with the radii of all triangles in it.
 const MARGIN: f64 = 1.0 / (1u64 << 23) as f64;
@@ -160,8 +160,8 @@ impl Ruler {
         // One byte per vertex, so that faces need not load coordinates.
         let positions: &[[f32; 3]] = if instance.in_place { &mesh.positions } else { &[] };
         let codes = mapped(positions, |position| self.outcode(position), progress)?;
-        let tiles = mesh.faces.par_chunks(TILE).enumerate().map(|(tile, faces)| {
-            let first = (tile * TILE) as u32;
+        let chunks = mesh.faces.par_chunks(CHUNK).enumerate().map(|(chunk, faces)| {
+            let first = (chunk * CHUNK) as u32;
             let mixed = if instance.in_place {
                 let triangles = Indexed { vertices: &mesh.positions, faces };
                 self.zones(first, &triangles, &candidates(&codes, faces))
@@ -173,15 +173,15 @@ impl Ruler {
             progress.report(faces.len() as u64).map(|()| mixed)
         });
         let mut all = Mixed::default();
-        for tile in tiles.collect::<Result<Vec<_>>>()? {
-            all.faces.extend(tile.faces);
-            all.zones.extend(tile.zones);
-            all.measured += tile.measured;
+        for chunk in chunks.collect::<Result<Vec<_>>>()? {
+            all.faces.extend(chunk.faces);
+            all.zones.extend(chunk.zones);
+            all.measured += chunk.measured;
         }
         Ok(all)
     }
 
-    /// Finds the zones of a tile's candidates; the tile starts at face `first`.
+    /// Finds the zones of a chunk's candidates; the chunk starts at face `first`.
     fn zones(&self, first: u32, triangles: &impl TriangleSource<f32>, candidates: &[u32]) -> Mixed {
         let mut mixed = Mixed { measured: candidates.len() as u32, ..Mixed::default() };
         let add_block = |start: usize, radii: &[[f32; 2]]| {
@@ -232,7 +232,7 @@ pub(super) fn secure_bounds(instance: &Instance) -> Aabb {
     Aabb { min: min.map(f32::next_down), max: max.map(f32::next_up) }
 }
 
-/// Returns the faces of a tile whose outcodes do not prove that they are far.
+/// Returns the faces of a chunk whose outcodes do not prove that they are far.
 fn candidates(codes: &[u8], faces: &[[u32; 3]]) -> Vec<u32> {
     let mut candidates = vec![0; faces.len()];
     let mut count = 0;

@@ -7,7 +7,7 @@ use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 
 use super::classify::{ChosenFaces, Class, Ruler, Zone};
-use super::radii::{TILE, axis_in, radii_of};
+use super::radii::{CHUNK, axis_in, radii_of};
 use crate::base::mapped::in_ranges;
 use crate::base::memory::room_for_values;
 use crate::base::{Error, Progress, Result, ensure};
@@ -169,7 +169,7 @@ impl Partition {
                 }
                 progress.report(faces.len() as u64)
             };
-            in_ranges(instance.mesh.faces.len(), TILE, task).map(drop)
+            in_ranges(instance.mesh.faces.len(), CHUNK, task).map(drop)
         })?;
         let counts = &self.counts;
         let by_zone = counts.near + counts.intermediate + counts.far;

@@ -3,7 +3,7 @@
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::radii::{TILE, axis_in, measure_faces};
+use super::radii::{CHUNK, axis_in, measure_faces};
 use crate::base::mapped::pieces;
 use crate::base::memory::try_vec;
 use crate::base::sort::sort_by_key;
@@ -28,8 +28,8 @@ impl LoadCurve {
         let instances = scene.standing.instances();
         let slots = pieces(&mut rhos, instances.iter().map(|instance| instance.mesh.faces.len()));
         instances.par_iter().zip(slots).try_for_each(|(instance, rhos)| {
-            rhos.par_chunks_mut(TILE).enumerate().try_for_each(|(tile, rhos)| {
-                let faces = tile * TILE..tile * TILE + rhos.len();
+            rhos.par_chunks_mut(CHUNK).enumerate().try_for_each(|(chunk, rhos)| {
+                let faces = chunk * CHUNK..chunk * CHUNK + rhos.len();
                 measure_faces(instance, faces, axis, |start, radii| {
                     rhos[start..].iter_mut().zip(radii).for_each(|(rho, radii)| *rho = radii[0].to_bits());
                 });
@@ -46,12 +46,12 @@ impl LoadCurve {
         self.sorted.len() as i64 + self.moving
     }
 
-    /// Returns `count` of many radii.
+    /// Returns `count` for each radius.
     pub fn counts(&self, radii: &[f64], progress: &Progress) -> Result<Vec<i64>> {
         try_map_rows(radii, |&r2| self.count(r2), progress)
     }
 
-    /// Returns `radius` of many budgets.
+    /// Returns `radius` for each budget.
     pub fn radii(&self, budgets: &[i64], progress: &Progress) -> Result<Vec<f64>> {
         try_map_rows(budgets, |&budget| self.radius(budget), progress)
     }
@@ -87,11 +87,11 @@ fn try_map_rows<A: Sync, B: Clone + Default + Send>(
     progress: &Progress,
 ) -> Result<Vec<B>> {
     let mut values = try_vec(B::default(), rows.len())?;
-    let tiles = rows.par_chunks(TILE).zip(values.par_chunks_mut(TILE)).map(|(rows, values)| {
+    let chunks = rows.par_chunks(CHUNK).zip(values.par_chunks_mut(CHUNK)).map(|(rows, values)| {
         progress.check()?;
         values.iter_mut().zip(rows).try_for_each(|(value, row)| map(row).map(|mapped| *value = mapped))
     });
-    tiles.collect::<Vec<Result<()>>>().into_iter().collect::<Result<()>>()?;
+    chunks.collect::<Vec<Result<()>>>().into_iter().collect::<Result<()>>()?;
     Ok(values)
 }
 
@@ -102,10 +102,10 @@ mod tests {
     #[test]
     fn the_first_of_several_invalid_rows_is_named() {
         let curve = LoadCurve { sorted: vec![1.0f32.to_bits(); 3], moving: 2 };
-        let mut radii = vec![0.5; 3 * TILE];
-        (radii[TILE - 1], radii[2 * TILE]) = (-1.0, -2.0);
-        let mut budgets = vec![9; 3 * TILE];
-        (budgets[TILE - 1], budgets[2 * TILE]) = (-1, -2);
+        let mut radii = vec![0.5; 3 * CHUNK];
+        (radii[CHUNK - 1], radii[2 * CHUNK]) = (-1.0, -2.0);
+        let mut budgets = vec![9; 3 * CHUNK];
+        (budgets[CHUNK - 1], budgets[2 * CHUNK]) = (-1, -2);
         for _ in 0..100 {
             assert_eq!(curve.counts(&radii, &Progress::new()), curve.count(-1.0).map(|_| Vec::new()));
             assert_eq!(curve.radii(&budgets, &Progress::new()), curve.radius(-1).map(|_| Vec::new()));

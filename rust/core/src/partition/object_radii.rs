@@ -6,7 +6,7 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::classify::{lies_beyond, secure_bounds};
-use super::radii::{TILE, axis_in, measure_faces};
+use super::radii::{CHUNK, axis_in, measure_faces};
 use crate::base::{Progress, Result, by_object, ensure};
 use crate::scene::{Instance, Scene};
 
@@ -47,8 +47,8 @@ pub fn object_radii(
     progress.expect(measured as u64);
     let minima = Minima((0..=object_count).map(|_| AtomicU32::new(f32::INFINITY.to_bits())).collect());
     near.into_par_iter().try_for_each(|instance| {
-        instance.mesh.faces.par_chunks(TILE).enumerate().try_for_each(|(tile, faces)| {
-            let first = tile * TILE;
+        instance.mesh.faces.par_chunks(CHUNK).enumerate().try_for_each(|(chunk, faces)| {
+            let first = chunk * CHUNK;
             minima.add_faces(instance, first..first + faces.len(), axis, rule);
             progress.report(faces.len() as u64)
         })

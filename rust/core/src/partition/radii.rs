@@ -13,7 +13,7 @@ use crate::base::{Real, Result, ensure};
 use crate::scene::{Instance, Scene};
 
 /// Number of triangles in one task.
-pub(super) const TILE: usize = 1 << 14;
+pub(super) const CHUNK: usize = 1 << 14;
 /// Number of triangles in a block; its temporaries fit in the first-level cache.
 pub(super) const BLOCK: usize = 64;
 /// Determinant, relative to its terms, above which its sign is certain. Each term has three roundings of 2⁻⁵³.

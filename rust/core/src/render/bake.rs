@@ -5,7 +5,7 @@ use glam::{DQuat, DVec3};
 
 use super::frame::{Channels, Frame};
 use super::limits::Limits;
-use super::tiles::{Pixels, RenderView, check_reach, draw};
+use super::tiles::{Pixels, RenderView, check_position, draw};
 use super::truth::Truth;
 use crate::base::{Progress, Result, ensure};
 use crate::camera::{Camera, Projection};
@@ -37,7 +37,7 @@ impl Bake {
         ensure!(is_valid, "face_size", format!("1 to {MAX_SIZE} texels"), self.size);
         let is_valid = self.radius.is_finite() && self.radius >= 0.0;
         ensure!(is_valid, "radius", "a finite radius of at least 0", self.radius);
-        check_reach("center", self.center - scene.origin)
+        check_position("center", self.center - scene.origin)
     }
 
     /// Returns the images of each face.

@@ -20,4 +20,4 @@ pub use mask::MaskPyramid;
 pub use surface::{Facet, Surface};
 pub use surrounding_views::{Luma, SurroundingViews};
 pub use temporal::Moving;
-pub use tiles::{Picture, Pixels, RenderView, Spots, draw};
+pub use tiles::{Picture, Pixels, RayPixels, RenderView, draw};

@@ -6,7 +6,7 @@
 use rayon::prelude::*;
 
 use super::limits::Limits;
-use super::tiles::{Picture, TILE, ViewRays, check_reach, check_samples, sample_offsets};
+use super::tiles::{Picture, TILE, ViewRays, check_position, check_samples, sample_offsets};
 use super::truth::Truth;
 use crate::base::{Progress, Result, ensure, memory::try_vec};
 use crate::camera::Camera;
@@ -48,7 +48,7 @@ impl<'a> SurroundingViews<'a> {
         let size = |camera: &Camera| (camera.width, camera.height);
         let (width, height) = cameras.first().map_or((0, 0), size);
         for camera in cameras {
-            check_reach("cameras", camera.position - scene.origin)?;
+            check_position("cameras", camera.position - scene.origin)?;
             let (wide, high) = size(camera);
             let is_equal = (wide, high) == (width, height);
             ensure!(is_equal, "cameras", format!("{width} × {height} pixels"), format!("{wide} × {high}"));

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 
 use super::frame::{Band, Channels, Frame, Sample};
 use super::limits::{Limits, Segment};
-use crate::base::{Progress, REACH, Result, ensure};
+use crate::base::{MAX_COORDINATE, Progress, Result, ensure};
 use crate::camera::{Camera, Footprint, Rays};
 use crate::trace::{Hit, Ray};
 
@@ -27,7 +27,7 @@ pub const MAX_SAMPLES: u32 = 1024;
 pub trait Picture: Sync {
     /// Traces the coherent rays of a tile's drawn pixels; it may first shorten them (`t_min`, `t_max`). Directions are
     /// unit vectors.
-    fn trace(&self, rays: &mut [Ray], hits: &mut [Hit], spots: &Spots<'_>);
+    fn trace(&self, rays: &mut [Ray], hits: &mut [Hit], pixels: &RayPixels<'_>);
 
     /// Adds the linear RGB of a tile's traced rays, hits or misses, to their sums.
     fn add_colors(&self, rays: &[Ray], hits: &[Hit], footprint: impl Fn(usize) -> Footprint, sums: &mut [[f32; 3]]);
@@ -36,13 +36,13 @@ pub trait Picture: Sync {
     fn sample(&self, ray: &Ray, hit: &Hit, footprint: impl FnOnce() -> Footprint, channels: Channels) -> Sample;
 }
 
-/// Positions of a tile's rays in the image.
-pub struct Spots<'a> {
+/// Pixels of a tile's rays, and their positions there.
+pub struct RayPixels<'a> {
     tile: &'a ImageTile,
     offset: [f64; 2],
 }
 
-impl Spots<'_> {
+impl RayPixels<'_> {
     /// Column and row of the tile, in tiles.
     pub(super) fn tile(&self) -> (usize, usize) {
         (self.tile.first_column / TILE, self.tile.first_row / TILE)
@@ -70,8 +70,8 @@ pub struct Pixels<'a> {
     pub mask: Option<&'a [bool]>,
     /// Whether samples without a triangle are black instead of showing map or sky.
     pub bare: bool,
-    /// Whether GPUs also cull geometry that lies entirely behind pixels that are not drawn.
-    pub occlusion: bool,
+    /// Whether GPUs also cull geometry that projects only to pixels that are not drawn.
+    pub culls_masked: bool,
     /// Flag per instance whether the picture may show it, if known; GPUs cull the others.
     pub instances: Option<&'a [bool]>,
 }
@@ -111,11 +111,11 @@ pub fn draw(view: &RenderView<'_>, picture: &impl Picture, progress: &Progress) 
     Ok(frame)
 }
 
-/// Fails for a position relative to the scene's origin from which rays would exceed float32's range.
-pub(super) fn check_reach(argument: &'static str, position: DVec3) -> Result<()> {
+/// Fails for a position too far from the scene's origin for float32 rays; see `MAX_COORDINATE`.
+pub(super) fn check_position(argument: &'static str, position: DVec3) -> Result<()> {
     let farthest = position.abs().max_element();
-    let expected = format!("a place within {REACH:e} m of the scene's origin");
-    ensure!(farthest <= REACH, argument, expected, format!("{farthest:e} m"));
+    let expected = format!("a place within {MAX_COORDINATE:e} m of the scene's origin");
+    ensure!(farthest <= MAX_COORDINATE, argument, expected, format!("{farthest:e} m"));
     Ok(())
 }
 
@@ -238,7 +238,7 @@ impl<'a> Caster<'a> {
     /// Creates the rays of a view; fails for an impossible view.
     pub(super) fn new(view: &RenderView<'a>) -> Result<Self> {
         check_samples(view.samples)?;
-        check_reach("position", view.camera.position - view.origin)?;
+        check_position("position", view.camera.position - view.origin)?;
         let (width, height) = (view.camera.width as usize, view.camera.height as usize);
         view.pixels.check(width * height)?;
         Ok(Self {
@@ -345,7 +345,7 @@ impl<'a> Caster<'a> {
 
     fn trace(&self, picture: &impl Picture, tile: &ImageTile, offset: [f64; 2], rays: &mut [Ray], hits: &mut [Hit]) {
         self.write_rays(tile, offset, rays);
-        picture.trace(rays, hits, &Spots { tile, offset });
+        picture.trace(rays, hits, &RayPixels { tile, offset });
     }
 }
 

@@ -4,7 +4,7 @@ use super::frame::{Channels, Frame, Sample};
 use super::limits::Limits;
 use super::shade::background;
 use super::surface::{Surface, add_colors};
-use super::tiles::{Picture, Pixels, RenderView, Spots, draw};
+use super::tiles::{Picture, Pixels, RayPixels, RenderView, draw};
 use crate::base::{Progress, Result};
 use crate::camera::{Camera, Footprint};
 use crate::scene::Scene;
@@ -34,7 +34,7 @@ pub struct Truth<'a> {
 }
 
 impl Picture for Truth<'_> {
-    fn trace(&self, rays: &mut [Ray], hits: &mut [Hit], _spots: &Spots<'_>) {
+    fn trace(&self, rays: &mut [Ray], hits: &mut [Hit], _pixels: &RayPixels<'_>) {
         closest_hits(self.scene, rays, self.filter, hits);
     }
 

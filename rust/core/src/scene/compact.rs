@@ -5,7 +5,7 @@
 
 use rayon::prelude::*;
 
-use super::mesh::{Mesh, TILE, gather};
+use super::mesh::{CHUNK, Mesh, gather};
 use crate::base::mapped::set_bits;
 use crate::base::memory::{try_concat, try_vec, try_with_capacity};
 use crate::base::sort::sort_by_key;
@@ -51,8 +51,8 @@ struct Pages {
 
 impl Pages {
     fn new(faces: &[[u32; 3]], progress: &Progress) -> Result<Self> {
-        let tiles = faces.par_chunks(TILE).map(|tile| progress.check().map(|()| page_masks(tile)));
-        let mut visits = try_concat(&tiles.collect::<Result<Vec<_>>>()?)?;
+        let chunks = faces.par_chunks(CHUNK).map(|chunk| progress.check().map(|()| page_masks(chunk)));
+        let mut visits = try_concat(&chunks.collect::<Result<Vec<_>>>()?)?;
         sort_by_key(&mut visits, |&(page, _)| page, progress)?;
         let mut pages = Self { numbers: vec![], bits: vec![], offsets: vec![], count: 0 };
         for same in visits.chunk_by(|a, b| a.0 == b.0) {
@@ -76,7 +76,7 @@ impl Pages {
 
     /// Returns the faces with vertices renumbered to their positions among the used ones.
     fn renumbered(&self, faces: &[[u32; 3]], progress: &Progress) -> Result<Vec<[u32; 3]>> {
-        let renumber_tile = |tile: &[[u32; 3]], renumbered: &mut [[u32; 3]]| {
+        let renumber_chunk = |chunk: &[[u32; 3]], renumbered: &mut [[u32; 3]]| {
             // Indices of the last two pages that corners were on.
             let (mut current, mut previous) = (0, 0);
             let mut renumber = |vertex: u32| {
@@ -91,16 +91,16 @@ impl Pages {
                 let lower_bits = self.bits[current] & ((1 << (vertex & ((1 << PAGE_BITS) - 1))) - 1);
                 self.offsets[current] + lower_bits.count_ones()
             };
-            renumbered.iter_mut().zip(tile).for_each(|(renumbered, face)| *renumbered = face.map(&mut renumber));
+            renumbered.iter_mut().zip(chunk).for_each(|(renumbered, face)| *renumbered = face.map(&mut renumber));
             progress.check()
         };
         let mut renumbered = try_vec([0; 3], faces.len())?;
         match faces.len() {
-            0..=TILE => renumber_tile(faces, &mut renumbered)?,
+            0..=CHUNK => renumber_chunk(faces, &mut renumbered)?,
             _ => faces
-                .par_chunks(TILE)
-                .zip(renumbered.par_chunks_mut(TILE))
-                .try_for_each(|(a, b)| renumber_tile(a, b))?,
+                .par_chunks(CHUNK)
+                .zip(renumbered.par_chunks_mut(CHUNK))
+                .try_for_each(|(a, b)| renumber_chunk(a, b))?,
         }
         Ok(renumbered)
     }
@@ -170,8 +170,8 @@ mod tests {
     }
 
     #[test]
-    fn many_tiles_are_compacted_as_one() {
-        let count = 2 * TILE as u32 + 5;
+    fn many_chunks_are_compacted_as_one() {
+        let count = 2 * CHUNK as u32 + 5;
         let faces: Vec<[u32; 3]> = (0..count).map(|face| [face, face + 1, (face * 7) % count]).collect();
         let whole = mesh(count + 2, &faces);
         let chosen: Vec<u32> = (0..count).filter(|face| face % 3 > 0).collect();

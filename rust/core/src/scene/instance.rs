@@ -5,7 +5,7 @@ use std::sync::{Arc, OnceLock};
 use glam::{DAffine3, Vec3};
 
 use super::mesh::Mesh;
-use crate::base::{Aabb, Progress, REACH, Result, ensure};
+use crate::base::{Aabb, MAX_COORDINATE, Progress, Result, ensure};
 use crate::bvh::Tlas;
 
 /// A placed mesh. Positions are relative to the scene's origin.
@@ -32,7 +32,12 @@ impl Instance {
         let is_valid = to_scene.is_finite() && to_object.is_finite();
         ensure!(is_valid, "transform", "a finite, invertible 4x4 matrix", to_scene);
         let bounds = mesh.bounds().transformed(&to_scene);
-        ensure!(bounds.reach() <= REACH as f32, "transform", format!("a placement within ±{REACH:e} m"), to_scene);
+        ensure!(
+            bounds.max_coordinate() <= MAX_COORDINATE as f32,
+            "transform",
+            format!("a placement within ±{MAX_COORDINATE:e} m"),
+            to_scene
+        );
         Ok(Self { in_place: to_scene == DAffine3::IDENTITY, mesh, to_scene, to_object, object, bounds })
     }
 

@@ -7,11 +7,11 @@ use rayon::prelude::*;
 
 use crate::base::mapped::mapped;
 use crate::base::memory::try_collect;
-use crate::base::{Aabb, Buffer, Error, FaceMap, Progress, REACH, Result, ensure};
+use crate::base::{Aabb, Buffer, Error, FaceMap, MAX_COORDINATE, Progress, Result, ensure};
 use crate::bvh::{Bvh, MeshArrays};
 
 /// Number of faces or vertices per task: fixed, so that reductions do not depend on the number of threads.
-pub(super) const TILE: usize = 1 << 16;
+pub(super) const CHUNK: usize = 1 << 16;
 
 /// Number of faces that fit in the first-level cache.
 const CACHED_FACES: usize = 1 << 11;
@@ -52,7 +52,7 @@ impl Mesh {
         ensure!(is_countable, "faces", "fewer than 2^32 - 1 faces and vertices in one mesh", faces.len());
         check_rows("uvs", uvs.as_deref(), vertex_count)?;
         check_rows("colors", colors.as_deref(), vertex_count)?;
-        let greatest = faces.par_chunks(TILE).map(|tile| tile.as_flattened().iter().copied().max()).max().flatten();
+        let greatest = faces.par_chunks(CHUNK).map(|chunk| chunk.as_flattened().iter().copied().max()).max().flatten();
         if let Some(index) = greatest.filter(|&index| index as usize >= vertex_count) {
             return Err(Error::value("faces", format!("vertex indices below {vertex_count}"), index));
         }
@@ -62,10 +62,15 @@ impl Mesh {
         Self::unchecked(positions, faces, uvs, colors, objects, materials).checked_reach()
     }
 
-    /// Returns the mesh if its coordinates are within `REACH`.
+    /// Returns the mesh if its coordinates are within `MAX_COORDINATE`.
     pub(super) fn checked_reach(self) -> Result<Self> {
-        let reach = self.bounds.reach();
-        ensure!(reach <= REACH as f32, "vertices", format!("coordinates within ±{REACH:e} m"), format!("{reach:e} m"));
+        let reach = self.bounds.max_coordinate();
+        ensure!(
+            reach <= MAX_COORDINATE as f32,
+            "vertices",
+            format!("coordinates within ±{MAX_COORDINATE:e} m"),
+            format!("{reach:e} m")
+        );
         Ok(self)
     }
 
@@ -169,8 +174,8 @@ impl Mesh {
             let [a, b, c] = face.map(|vertex| Vec3::from_array(self.positions[vertex as usize]).as_dvec3());
             (b - a).cross(c - a).length_squared() == 0.0
         };
-        let count = |tile: &[[u32; 3]]| progress.check().map(|()| tile.iter().filter(is_degenerate).count());
-        self.faces.par_chunks(TILE).map(count).sum()
+        let count = |chunk: &[[u32; 3]]| progress.check().map(|()| chunk.iter().filter(is_degenerate).count());
+        self.faces.par_chunks(CHUNK).map(count).sum()
     }
 
     /// Returns the size of the arrays and of the tree, bytes.
@@ -239,7 +244,7 @@ fn check_rows<T>(argument: &'static str, rows: Option<&[T]>, vertex_count: usize
 
 pub(super) fn check_finite(argument: &'static str, rows: &[[f32; 3]]) -> Result<()> {
     let is_wrong = |p: &&[f32; 3]| !p.iter().all(|x| x.is_finite());
-    match rows.par_chunks(TILE).map(|tile| tile.iter().filter(is_wrong).count()).sum::<usize>() {
+    match rows.par_chunks(CHUNK).map(|chunk| chunk.iter().filter(is_wrong).count()).sum::<usize>() {
         0 => Ok(()),
         wrong => Err(Error::value(argument, "finite coordinates", format!("{wrong} {argument} with NaN or infinity"))),
     }
@@ -248,7 +253,7 @@ pub(super) fn check_finite(argument: &'static str, rows: &[[f32; 3]]) -> Result<
 /// Returns the box of all faces. Reading vertices through faces is random access. So for a large mesh this first tests
 /// whether faces use six vertices that define the box of all vertices, as they do unless some vertices are unused.
 fn bounds_of(positions: &[[f32; 3]], faces: &[[u32; 3]]) -> Aabb {
-    if faces.len() > TILE {
+    if faces.len() > CHUNK {
         let all = box_of(positions, |bounds, &point| bounds.extend(point.into()));
         let extremes = extremes(positions, &all);
         // One vertex is compared at a time with a piece that stays in the cache; the compiler vectorises this loop.
@@ -268,18 +273,18 @@ fn extremes(positions: &[[f32; 3]], bounds: &Aabb) -> [u32; 6] {
     std::array::from_fn(|side| {
         let axis = side % 3;
         let limit = if side < 3 { bounds.min[axis] } else { bounds.max[axis] };
-        let vertex = positions.par_iter().with_min_len(TILE).position_any(|p| p[axis] == limit);
+        let vertex = positions.par_iter().with_min_len(CHUNK).position_any(|p| p[axis] == limit);
         vertex.map_or(u32::MAX, |vertex| vertex as u32)
     })
 }
 
 pub(super) fn box_of<T: Sync>(rows: &[T], extend: impl Fn(&mut Aabb, &T) + Sync) -> Aabb {
-    let tile_bounds = |tile: &[T]| {
+    let chunk_bounds = |chunk: &[T]| {
         let mut bounds = Aabb::EMPTY;
-        tile.iter().for_each(|row| extend(&mut bounds, row));
+        chunk.iter().for_each(|row| extend(&mut bounds, row));
         bounds
     };
-    rows.par_chunks(TILE).map(tile_bounds).reduce(|| Aabb::EMPTY, |a, b| a.union(&b))
+    rows.par_chunks(CHUNK).map(chunk_bounds).reduce(|| Aabb::EMPTY, |a, b| a.union(&b))
 }
 
 pub(super) fn gather<T: Copy + Send + Sync>(values: &[T], rows: &[u32], progress: &Progress) -> Result<Vec<T>> {
@@ -301,7 +306,7 @@ mod tests {
 
     #[test]
     fn a_large_mesh_has_the_box_of_its_faces_with_and_without_unused_vertices() {
-        let count = TILE + 10;
+        let count = CHUNK + 10;
         let corner = |i: usize| [i as f32, (i % 7) as f32, -(i as f32)];
         let mut positions: Vec<[f32; 3]> = (0..count + 2).map(corner).collect();
         let faces: Vec<[u32; 3]> = (0..count as u32).map(|i| [i, i + 1, i + 2]).collect();

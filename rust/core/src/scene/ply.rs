@@ -17,7 +17,7 @@ const MAX_QUOTED: usize = 60;
 /// Type of a list's length.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(missing_docs, reason = "the names of Rust's types")]
-pub enum Number {
+pub enum ScalarType {
     I8,
     U8,
     I16,
@@ -36,7 +36,7 @@ pub struct Property {
     /// Bytes of a value.
     pub size: usize,
     /// Type of the length that precedes the values of a list; `None` for a single value.
-    pub length: Option<Number>,
+    pub length: Option<ScalarType>,
 }
 
 /// Values of a property in all rows.
@@ -67,7 +67,8 @@ pub fn read_rows(
 ) -> Result<(Vec<Column>, usize)> {
     let cut_off = || Error::Scene("it is cut off".to_owned());
     // A list may be empty, so a row has at least the bytes of its lengths and single values.
-    let min_row: usize = properties.iter().map(|property| property.length.map_or(property.size, Number::size)).sum();
+    let min_row: usize =
+        properties.iter().map(|property| property.length.map_or(property.size, ScalarType::size)).sum();
     if count.saturating_mul(min_row) > data.bytes.len().saturating_sub(start) {
         return Err(cut_off());
     }
@@ -106,7 +107,7 @@ pub fn read_rows(
     Ok((columns, position))
 }
 
-impl Number {
+impl ScalarType {
     fn size(self) -> usize {
         match self {
             Self::I8 | Self::U8 => 1,
@@ -176,8 +177,8 @@ mod tests {
     fn rows_of_any_length_are_read_in_both_byte_orders() {
         let properties = [
             Property { size: 1, length: None },
-            Property { size: 2, length: Some(Number::U8) },
-            Property { size: 4, length: Some(Number::I32) },
+            Property { size: 2, length: Some(ScalarType::U8) },
+            Property { size: 4, length: Some(ScalarType::I32) },
         ];
         // Rows: 7, (258, 515), (); 9, (), (1).
         let little = [&[7u8, 2, 2, 1, 3, 2][..], &[0; 4], &[9, 0], &[1, 0, 0, 0, 1, 0, 0, 0], &[99]].concat();
@@ -198,16 +199,19 @@ mod tests {
 
     #[test]
     fn lengths_of_every_type_are_read_and_impossible_ones_refused() {
-        let read = |number: Number, bytes: &[u8]| number.read(bytes, false);
-        assert_eq!((read(Number::I8, &[0xfe]), read(Number::U8, &[0xfe])), (-2.0, 254.0));
-        assert_eq!((read(Number::I16, &[0xfe, 0xff]), read(Number::U16, &[0xfe, 0xff])), (-2.0, 65534.0));
-        assert_eq!(Number::I16.read(&[0x01, 0x02], true), 258.0);
-        assert_eq!((read(Number::I64, &[0xff; 8]), read(Number::U64, &[1, 0, 0, 0, 0, 0, 0, 0])), (-1.0, 1.0));
-        assert_eq!((read(Number::F32, &3f32.to_le_bytes()), read(Number::F64, &5f64.to_le_bytes())), (3.0, 5.0));
+        let read = |number: ScalarType, bytes: &[u8]| number.read(bytes, false);
+        assert_eq!((read(ScalarType::I8, &[0xfe]), read(ScalarType::U8, &[0xfe])), (-2.0, 254.0));
+        assert_eq!((read(ScalarType::I16, &[0xfe, 0xff]), read(ScalarType::U16, &[0xfe, 0xff])), (-2.0, 65534.0));
+        assert_eq!(ScalarType::I16.read(&[0x01, 0x02], true), 258.0);
+        assert_eq!((read(ScalarType::I64, &[0xff; 8]), read(ScalarType::U64, &[1, 0, 0, 0, 0, 0, 0, 0])), (-1.0, 1.0));
+        assert_eq!(
+            (read(ScalarType::F32, &3f32.to_le_bytes()), read(ScalarType::F64, &5f64.to_le_bytes())),
+            (3.0, 5.0)
+        );
         for length in [-1.0, f64::NAN, f64::INFINITY, 1e300] {
             let bytes = length.to_le_bytes();
             let data = Data { bytes: &bytes, is_big_endian: false };
-            let properties = [Property { size: 8, length: Some(Number::F64) }];
+            let properties = [Property { size: 8, length: Some(ScalarType::F64) }];
             assert!(read_rows(data, 0, 1, &properties, &Progress::new()).is_err(), "{length}");
             // More rows than bytes are refused before room for them is reserved.
             assert!(read_rows(data, 0, usize::MAX, &properties, &Progress::new()).is_err());

@@ -62,7 +62,7 @@ impl Region {
         }
         let (min, max) = (self.min.max(bounds.min.as_dvec3()), self.max.min(bounds.max.as_dvec3()));
         let center = min * 0.5 + max * 0.5;
-        let slack = SLACK * f64::from(bounds.reach());
+        let slack = SLACK * f64::from(bounds.max_coordinate());
         let half = (max - min) * 0.5 + DVec3::splat(slack);
         let corners = corners.map(Vec3::as_dvec3);
         let [a, b, c] = corners.map(|corner| corner - center);
@@ -280,7 +280,7 @@ impl Search<'_> {
         for slot in 0..WIDTH {
             let placed = node.bounds(slot).transformed(&self.instance.to_scene);
             // Placed corners and placed boxes are computed in different orders, so they may be rounded differently.
-            let slack = Vec3::splat(placed.reach() * 4.0 * f32::EPSILON);
+            let slack = Vec3::splat(placed.max_coordinate() * 4.0 * f32::EPSILON);
             let placed = Aabb { min: placed.min - slack, max: placed.max + slack };
             touching |= u32::from(self.region.inner.touches(&placed)) << slot;
             inside |= u32::from(self.region.inner.contains(&placed)) << slot;

@@ -147,8 +147,8 @@ impl Scene {
         let mut flat = try_vec(0.0, self.triangle_count() as usize * 9)?;
         let lengths = self.instances().map(|instance| instance.mesh.faces.len() * 9);
         for (instance, coordinates) in self.instances().zip(pieces(&mut flat, lengths)) {
-            coordinates.par_chunks_mut(9 * mesh::TILE).enumerate().try_for_each(|(tile, faces)| {
-                let first = tile * mesh::TILE;
+            coordinates.par_chunks_mut(9 * mesh::CHUNK).enumerate().try_for_each(|(chunk, faces)| {
+                let first = chunk * mesh::CHUNK;
                 for (face, coordinates) in faces.as_chunks_mut::<9>().0.iter_mut().enumerate() {
                     let corners = instance.corners((first + face) as u32);
                     coordinates.copy_from_slice(corners.map(|corner| corner.to_array()).as_flattened());
@@ -183,12 +183,12 @@ impl Scene {
                 tight = tight.union(&instance.bounds);
                 continue;
             }
-            let faces = instance.mesh.faces.par_chunks(mesh::TILE).enumerate();
-            let tile_bounds = |(tile, faces): (usize, &[[u32; 3]])| {
-                let first = tile * mesh::TILE;
+            let faces = instance.mesh.faces.par_chunks(mesh::CHUNK).enumerate();
+            let chunk_bounds = |(chunk, faces): (usize, &[[u32; 3]])| {
+                let first = chunk * mesh::CHUNK;
                 Aabb::of_points((first..first + faces.len()).flat_map(|face| instance.corners(face as u32)))
             };
-            tight = tight.union(&faces.map(tile_bounds).reduce(|| Aabb::EMPTY, |a, b| a.union(&b)));
+            tight = tight.union(&faces.map(chunk_bounds).reduce(|| Aabb::EMPTY, |a, b| a.union(&b)));
         }
         tight
     }

@@ -12,7 +12,7 @@ use crate::scene::{Instance, Scene};
 use crate::trace::touches;
 
 /// Faces per task.
-const TILE: usize = 1 << 16;
+const CHUNK: usize = 1 << 16;
 /// Instances per task.
 const BOXES: usize = 1 << 12;
 
@@ -159,8 +159,8 @@ impl Rig {
             }
         };
         progress.expect(scene.triangle_count() as u64);
-        let tiles: Vec<(&Instance, u32, u32)> = scene.instances().flat_map(tiles_of).collect();
-        let counted = tiles.into_par_iter().map(|(instance, first, end)| {
+        let chunks: Vec<(&Instance, u32, u32)> = scene.instances().flat_map(chunks_of).collect();
+        let counted = chunks.into_par_iter().map(|(instance, first, end)| {
             let corners = |face| instance.corners(face).map(|corner| corner.as_dvec3());
             let sum = (first..end).map(|face| count(corners(face))).fold(Triangles::default(), Triangles::plus);
             progress.report(u64::from(end - first))?;
@@ -188,9 +188,9 @@ impl Triangles {
 }
 
 /// Splits an instance's faces into ranges.
-fn tiles_of(instance: &Instance) -> impl Iterator<Item = (&Instance, u32, u32)> {
+fn chunks_of(instance: &Instance) -> impl Iterator<Item = (&Instance, u32, u32)> {
     let count = instance.mesh.faces.len();
-    (0..count).step_by(TILE).map(move |first| (instance, first as u32, (first + TILE).min(count) as u32))
+    (0..count).step_by(CHUNK).map(move |first| (instance, first as u32, (first + CHUNK).min(count) as u32))
 }
 
 /// Returns whether a box lies entirely outside one of some half-spaces.

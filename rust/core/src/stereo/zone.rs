@@ -12,7 +12,7 @@ use super::rig::{Rig, Side};
 use crate::base::{Aabb, Progress, Result};
 use crate::camera::Footprint;
 use crate::render::frame::{Channels, Frame, Sample};
-use crate::render::tiles::{PIXELS, Picture, RenderView, Spots, draw};
+use crate::render::tiles::{PIXELS, Picture, RayPixels, RenderView, draw};
 use crate::render::truth::Truth;
 use crate::scene::Scene;
 use crate::trace::{All, AlphaFilter, Hit, Ray, closest_hits, touches};
@@ -130,9 +130,9 @@ impl Zone<'_> {
 }
 
 impl Picture for Zone<'_> {
-    fn trace(&self, rays: &mut [Ray], hits: &mut [Hit], spots: &Spots<'_>) {
+    fn trace(&self, rays: &mut [Ray], hits: &mut [Hit], pixels: &RayPixels<'_>) {
         rays.iter_mut().for_each(|ray| ray.t_max *= 1.0 + OVERLAP);
-        self.truth.trace(rays, hits, spots);
+        self.truth.trace(rays, hits, pixels);
         let is_open = |n: &usize| hits[*n].is_miss() && rays[*n].t_min <= rays[*n].t_max;
         let mut misses: Vec<usize> = (0..rays.len()).filter(is_open).collect();
         let (mut starts, mut ends) = ([Vec3::ZERO; PIXELS], [Vec3::ZERO; PIXELS]);

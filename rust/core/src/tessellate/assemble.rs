@@ -14,7 +14,7 @@ use crate::base::memory::{room_for, try_copy, try_grow, try_list, try_with_capac
 use crate::base::{Progress, Result, ensure};
 
 /// Number of faces per task: fixed, so that the result does not depend on the number of threads.
-const TILE: usize = 1 << 12;
+const CHUNK: usize = 1 << 12;
 /// Peak memory per piece, bytes: the piece, its face and its part of the new vertices.
 const BYTES_PER_PIECE: u64 = size_of::<Piece>() as u64 + 64;
 
@@ -122,9 +122,9 @@ pub(super) fn assemble(
     (budget, counts): (&Budget, &mut SplitCounts),
     progress: &Progress,
 ) -> Result<Option<Assembled>> {
-    let tiles = source.par_chunks(TILE).enumerate().map(|(tile, faces)| {
+    let chunks = source.par_chunks(CHUNK).enumerate().map(|(chunk, faces)| {
         let (mut examined, mut split) = (0, Vec::new());
-        for face in (tile * TILE) as u32..(tile * TILE + faces.len()) as u32 {
+        for face in (chunk * CHUNK) as u32..(chunk * CHUNK + faces.len()) as u32 {
             let Some(corners) = corners(face).filter(|corners| !rule.can_skip(corners)) else {
                 continue;
             };
@@ -138,12 +138,12 @@ pub(super) fn assemble(
         progress.report(faces.len() as u64)?;
         Ok((examined, split))
     });
-    let tiles: Vec<(u64, Vec<Split>)> = tiles.collect::<Result<_>>()?;
-    counts.examined += tiles.iter().map(|(examined, _)| examined).sum::<u64>();
+    let chunks: Vec<(u64, Vec<Split>)> = chunks.collect::<Result<_>>()?;
+    counts.examined += chunks.iter().map(|(examined, _)| examined).sum::<u64>();
     let mut split: Vec<Split> = Vec::new();
-    for (_, mut tile_split) in tiles {
-        try_grow(&mut split, tile_split.len())?;
-        split.append(&mut tile_split);
+    for (_, mut chunk_split) in chunks {
+        try_grow(&mut split, chunk_split.len())?;
+        split.append(&mut chunk_split);
     }
     counts.split += split.len() as u64;
     if split.is_empty() {

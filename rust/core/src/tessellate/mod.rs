@@ -23,5 +23,5 @@ mod tests;
 pub use assemble::{Arrays, SplitCounts, tessellate_arrays};
 pub use rule::Rule;
 pub use scene::{needs_split, split_scene, tessellate_scene};
-pub use settings::{Precision, Settings, Stages, Steps, bent_from};
+pub use settings::{Precision, ServedMorphs, Settings, Steps, bent_from};
 pub use split::Piece;

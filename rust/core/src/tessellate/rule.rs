@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 use super::blend::BlendRule;
 use super::edge::Cut;
 use super::grown::CylinderRule;
-use super::settings::{Precision, Settings, Stages};
+use super::settings::{Precision, ServedMorphs, Settings};
 use crate::base::Result;
 
 /// Rule for one centre, region of users and tolerance.
@@ -70,9 +70,9 @@ impl Rule {
     /// Creates a rule; checks the settings.
     pub fn new(settings: &Settings, precision: Precision) -> Result<Self> {
         settings.check()?;
-        let edges = match settings.stages {
-            Stages::Blend => EdgeRule::Blend(BlendRule::new(settings, precision)),
-            Stages::Cylinder { least, is_full } => {
+        let edges = match settings.served {
+            ServedMorphs::Blend => EdgeRule::Blend(BlendRule::new(settings, precision)),
+            ServedMorphs::Cylinder { least, is_full } => {
                 EdgeRule::Cylinder(CylinderRule::new(settings, least, is_full, precision))
             }
         };

@@ -28,19 +28,19 @@ pub struct Settings {
     pub reach: f64,
     /// Maximum error in radians as the user sees it.
     pub tolerance: f64,
-    /// Kind of the morph, and the stages to serve.
-    pub stages: Stages,
+    /// Morphs whose error is within the tolerance.
+    pub served: ServedMorphs,
 }
 
-/// Kind of a morph, and the stages that a split serves.
+/// Morphs that one split serves: their kind, and the radii and strengths that they take while they grow.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub enum Stages {
+pub enum ServedMorphs {
     /// `Kind::Blend` with these radii and full strength.
     #[default]
     Blend,
     /// `Kind::Cylinder` while it grows.
     Cylinder {
-        /// Minimum radius R, metres. The split serves all radii from it to r₂, with r₁ in proportion.
+        /// Minimum outer radius, metres. The split serves all outer radii from it to r₂, with r₁ in proportion.
         least: f64,
         /// Whether it serves only full strength; otherwise all strengths.
         is_full: bool,
@@ -59,13 +59,21 @@ impl Settings {
         let Morph { center, r1, r2, strength, .. } = *morph;
         match morph.kind {
             Kind::Cylinder => {
-                let stages = Stages::Cylinder { least: r2, is_full: strength == 1.0 };
-                Self { center, r1, r2, drawn, reach, tolerance, stages }
+                let served = ServedMorphs::Cylinder { least: r2, is_full: strength == 1.0 };
+                Self { center, r1, r2, drawn, reach, tolerance, served }
             }
             Kind::Blend => {
                 let from = bent_from(morph);
                 let fraction = if r2 > from { (r2 - r1) / (r2 - from) } else { 1.0 };
-                Self { center, r1: from, r2, drawn, reach, tolerance: tolerance * fraction, stages: Stages::Blend }
+                Self {
+                    center,
+                    r1: from,
+                    r2,
+                    drawn,
+                    reach,
+                    tolerance: tolerance * fraction,
+                    served: ServedMorphs::Blend,
+                }
             }
         }
     }
@@ -77,7 +85,7 @@ impl Settings {
         ensure!(r2.is_finite() && r2 >= r1, "r2", format!("a finite radius of at least r1 = {r1}"), r2);
         ensure!(reach.is_finite() && reach >= 0.0, "user_region", "a finite distance from the centre", reach);
         ensure!(tolerance.is_finite() && tolerance > 0.0, "tolerance_px", "a number above 0", tolerance);
-        if let Stages::Cylinder { least, .. } = self.stages {
+        if let ServedMorphs::Cylinder { least, .. } = self.served {
             let is_radius = least <= r2 && (least > 0.0 || r2 == 0.0);
             ensure!(is_radius, "radius", format!("a radius above 0 and up to r2 = {r2}"), least);
         }
@@ -96,7 +104,7 @@ impl Settings {
         let outwards = (2.0 * (reach / unit).log2()).ceil().clamp(-40.0, 40.0);
         let finer = (2.0 * tolerance.log2()).floor().clamp(-80.0, 80.0);
         let farther = unit * (outwards / 2.0).exp2();
-        let max_fraction = if self.stages == Stages::Blend { MAX_BLEND_REACH } else { MAX_CYLINDER_REACH };
+        let max_fraction = if self.served == ServedMorphs::Blend { MAX_BLEND_REACH } else { MAX_CYLINDER_REACH };
         let max_reach = max_fraction * r1;
         let reach = if reach <= max_reach { farther.min(max_reach) } else { farther.max(reach) };
         let tolerance = (finer / 2.0).exp2().min(tolerance);

@@ -7,7 +7,7 @@ use proptest::prelude::*;
 
 use super::grown_bound::MAX_RATIO;
 use super::rule::Rule;
-use super::settings::{Precision, Settings, Stages};
+use super::settings::{Precision, ServedMorphs, Settings};
 use super::split::Piece;
 use super::{SplitCounts, tessellate_arrays};
 use crate::base::{Progress, random};
@@ -15,7 +15,7 @@ use crate::morph::{Kind, Morph};
 
 fn settings(reach: f64, tolerance: f64) -> Settings {
     let center = DVec3::new(1.0, 1.7, -2.0);
-    Settings { center, r1: 30.0, r2: 50.0, drawn: 50.0, reach, tolerance, stages: Stages::Blend }
+    Settings { center, r1: 30.0, r2: 50.0, drawn: 50.0, reach, tolerance, served: ServedMorphs::Blend }
 }
 
 fn pieces(corners: [DVec3; 3], rule: &Rule) -> Vec<Piece> {
@@ -57,17 +57,19 @@ fn miss(morph: &Morph, corners: &[DVec3; 3], points: usize, next: &mut impl FnMu
 
 /// Returns the maximum error at some points of each piece, for random users, radii and strengths within the settings.
 /// Most users stand at the region's border.
-fn greatest_miss(pieces: &[Piece], settings: &Settings, seed: u64, stages: usize, points: usize) -> f64 {
+fn greatest_miss(pieces: &[Piece], settings: &Settings, seed: u64, morphs: usize, points: usize) -> f64 {
     let Settings { center, r1, r2, reach, .. } = *settings;
     let mut next = numbers(seed);
     let mut greatest: f64 = 0.0;
-    for _ in 0..stages {
+    for _ in 0..morphs {
         let aim = DVec3::new(next() - 0.5, (next() - 0.5) * next(), next() - 0.5).normalize_or_zero();
         let user = center + aim * reach * next().powf(0.1);
-        let (kind, radius, strength, exempt) = match settings.stages {
-            Stages::Blend => (Kind::Blend, r2, 1.0, 0.0),
-            Stages::Cylinder { least, is_full: true } => (Kind::Cylinder, least + (r2 - least) * next(), 1.0, 0.0),
-            Stages::Cylinder { least, is_full: false } => {
+        let (kind, radius, strength, exempt) = match settings.served {
+            ServedMorphs::Blend => (Kind::Blend, r2, 1.0, 0.0),
+            ServedMorphs::Cylinder { least, is_full: true } => {
+                (Kind::Cylinder, least + (r2 - least) * next(), 1.0, 0.0)
+            }
+            ServedMorphs::Cylinder { least, is_full: false } => {
                 let strength = if next() < 0.3 { 1.0 } else { next() };
                 (Kind::Cylinder, least + (r2 - least) * next(), strength, 1.15 * reach / MAX_RATIO)
             }
@@ -189,10 +191,10 @@ fn splits_end_for_radii_below_the_resolution_of_coordinates() {
         for (r1, r2) in [(0.0, 1e-9), (0.0, 1e-13), (0.0, 1e-300), (0.0, 50.0), (30.0, 30.0 + 1e-12), (30.0, 50.0)] {
             let reaches: &[f64] = if r2 == 50.0 { &[1e-3, 10.0, 40.0] } else { &[10.0] };
             for &reach in reaches {
-                let cylinder = Stages::Cylinder { least: r2, is_full: true };
-                let stages = if is_blend { Stages::Blend } else { cylinder };
+                let cylinder = ServedMorphs::Cylinder { least: r2, is_full: true };
+                let served = if is_blend { ServedMorphs::Blend } else { cylinder };
                 let tolerance = if is_blend { 5e-4 } else { 5e-2 };
-                let settings = Settings { r1, r2, drawn: r2, stages, ..settings(reach, tolerance) };
+                let settings = Settings { r1, r2, drawn: r2, served, ..settings(reach, tolerance) };
                 let rule = Rule::new(&settings, Precision::Double).unwrap();
                 let count = pieces(corners, &rule).len();
                 assert!(count < 300_000, "{r1} {r2} {reach} {count}");

@@ -44,7 +44,7 @@ fn every_method_undistorts_radii() {
 }
 
 #[test]
-fn the_published_iteration_takes_its_steps() {
+fn fixed_point_iteration_gives_the_steps_of_the_vectors() {
     for case in cases("lens", "radial") {
         let (lens, x) = (lens_of(&case), numbers(&case["distorted"]));
         let mut found = vec![0.0; x.len()];

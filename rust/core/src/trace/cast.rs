@@ -6,11 +6,11 @@ use rayon::prelude::*;
 use super::dispatch::closest_hits;
 use super::ray::{All, AlphaFilter, Hit, Ray};
 use crate::base::memory::try_vec;
-use crate::base::{Error, Progress, REACH, Result, ensure};
+use crate::base::{Error, MAX_COORDINATE, Progress, Result, ensure};
 use crate::scene::Scene;
 
 /// Number of rays per task: fixed, so that packets do not depend on the number of threads.
-pub(super) const TILE: usize = 4096;
+pub(super) const CHUNK: usize = 4096;
 
 /// Rows of three coordinates, float32 or float64.
 #[derive(Clone, Copy, Debug)]
@@ -40,22 +40,22 @@ impl Points<'_> {
     /// Fails if rows are invalid; the error states their number and the index of the first.
     fn check(&self, argument: &'static str, expected: &str, is_valid: impl Fn(DVec3) -> bool + Sync) -> Result<()> {
         let count_and_first = |start: usize| {
-            let rows = start..(start + TILE).min(self.len());
+            let rows = start..(start + CHUNK).min(self.len());
             let mut invalid = rows.filter(|&row| !is_valid(self.get(row)));
             invalid.next().map(|first| (invalid.count() + 1, first))
         };
-        let starts: Vec<usize> = (0..self.len()).step_by(TILE).collect();
+        let starts: Vec<usize> = (0..self.len()).step_by(CHUNK).collect();
         let invalid = starts.into_par_iter().filter_map(count_and_first).reduce_with(|a, b| (a.0 + b.0, a.1.min(b.1)));
         invalid.map_or(Ok(()), |(count, first)| {
             let rows = if count == 1 { "row" } else { "rows" };
-            Err(Error::value(argument, expected, format!("{count} other {rows}, the first at index {first}")))
+            Err(Error::value(argument, expected, format!("{count} {rows} without, the first at index {first}")))
         })
     }
 
-    /// Fails unless all positions are within the reach of rays.
-    pub(super) fn check_reach(&self, argument: &'static str, scene: &Scene) -> Result<()> {
-        let is_reachable = |p: DVec3| p.is_finite() && (p - scene.origin).abs().max_element() <= REACH;
-        self.check(argument, &format!("finite coordinates within {REACH:e} m of the scene's origin"), is_reachable)
+    /// Fails for a position too far from the scene's origin for float32 rays; see `MAX_COORDINATE`.
+    pub(super) fn check_positions(&self, argument: &'static str, scene: &Scene) -> Result<()> {
+        let is_near = |p: DVec3| p.is_finite() && (p - scene.origin).abs().max_element() <= MAX_COORDINATE;
+        self.check(argument, &format!("finite coordinates within {MAX_COORDINATE:e} m of the scene's origin"), is_near)
     }
 }
 
@@ -85,7 +85,7 @@ pub fn cast(
     let is_paired = origins.len() == 1 || origins.len() == count;
     ensure!(is_paired, "origins", format!("one row, or one for each of {count} directions"), origins.len());
     ensure!(t_max > 0.0, "t_max", "a positive number of metres", t_max);
-    origins.check_reach("origins", scene)?;
+    origins.check_positions("origins", scene)?;
     directions.check("directions", "finite coordinates", DVec3::is_finite)?;
     directions.check("directions", "a length above zero", |d| d != DVec3::ZERO)?;
     scene.build(progress)?;
@@ -102,15 +102,15 @@ pub fn cast(
         object_id: try_vec(0, count)?,
         barycentric: try_vec([0.0; 2], count)?,
     };
-    let tiles = hits
+    let chunks = hits
         .t_hit
-        .par_chunks_mut(TILE)
-        .zip(hits.triangle_index.par_chunks_mut(TILE))
-        .zip(hits.object_id.par_chunks_mut(TILE))
-        .zip(hits.barycentric.par_chunks_mut(TILE))
+        .par_chunks_mut(CHUNK)
+        .zip(hits.triangle_index.par_chunks_mut(CHUNK))
+        .zip(hits.object_id.par_chunks_mut(CHUNK))
+        .zip(hits.barycentric.par_chunks_mut(CHUNK))
         .enumerate();
-    tiles.try_for_each(|(tile, (((t, triangle), object), weights))| {
-        let rays: Vec<Ray> = (0..t.len()).map(|i| ray(tile * TILE + i)).collect();
+    chunks.try_for_each(|(chunk, (((t, triangle), object), weights))| {
+        let rays: Vec<Ray> = (0..t.len()).map(|i| ray(chunk * CHUNK + i)).collect();
         let mut nearest = vec![Hit::MISS; rays.len()];
         closest_hits(scene, &rays, &filter, &mut nearest);
         for (i, hit) in nearest.iter().enumerate() {

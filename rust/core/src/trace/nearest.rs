@@ -6,7 +6,7 @@
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 
-use super::cast::{Points, TILE};
+use super::cast::{CHUNK, Points};
 use super::closest::{closest, squared_distance};
 use crate::base::memory::try_vec;
 use crate::base::{Progress, Result, ensure};
@@ -30,7 +30,7 @@ pub fn nearest(scene: &Scene, points: Points<'_>, facing: Option<&[[f32; 3]]>, p
     let count = points.len();
     let facing_count = facing.map_or(count, <[_]>::len);
     ensure!(facing_count == count, "facing", format!("one row for each of {count} points"), facing_count);
-    points.check_reach("points", scene)?;
+    points.check_positions("points", scene)?;
     scene.build(progress)?;
     progress.expect(count as u64);
     let mut nearest = Nearest {
@@ -38,17 +38,17 @@ pub fn nearest(scene: &Scene, points: Points<'_>, facing: Option<&[[f32; 3]]>, p
         triangle_index: try_vec(-1, count)?,
         barycentric: try_vec([f64::NAN; 2], count)?,
     };
-    let tiles = nearest
+    let chunks = nearest
         .distance
-        .par_chunks_mut(TILE)
-        .zip(nearest.triangle_index.par_chunks_mut(TILE))
-        .zip(nearest.barycentric.par_chunks_mut(TILE))
+        .par_chunks_mut(CHUNK)
+        .zip(nearest.triangle_index.par_chunks_mut(CHUNK))
+        .zip(nearest.barycentric.par_chunks_mut(CHUNK))
         .enumerate();
-    tiles.try_for_each(|(tile, ((distance, triangle), weights))| {
+    chunks.try_for_each(|(chunk, ((distance, triangle), weights))| {
         let mut stack = Vec::new();
         let mut last = Candidate::NOTHING;
         for row in 0..distance.len() {
-            let index = tile * TILE + row;
+            let index = chunk * CHUNK + row;
             let facing = facing.map(|rows| Vec3::from_array(rows[index]).as_dvec3());
             let search = NearestSearch { point: points.get(index) - scene.origin, facing, best: Candidate::NOTHING };
             last = search.run(scene, last, &mut stack);

@@ -7,7 +7,7 @@ use crate::scene::Scene;
 /// A segment of a ray in scene space. The direction may have any length, and parameters `t` are multiples of it.
 #[derive(Clone, Copy, Debug)]
 pub struct Ray {
-    /// Start relative to the scene's origin; coordinates are at most `base::REACH`.
+    /// Start relative to the scene's origin; coordinates are at most `base::MAX_COORDINATE`.
     pub origin: Vec3,
     /// Direction, finite and not zero.
     pub direction: Vec3,

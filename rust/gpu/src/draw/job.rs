@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 use std::sync::Arc;
 
-use nearfar_core::base::{Aabb, Error, Progress, REACH, Result};
+use nearfar_core::base::{Aabb, Error, MAX_COORDINATE, Progress, Result};
 use nearfar_core::camera::Camera;
 use nearfar_core::render::tiles::{MAX_SAMPLES, sample_offsets};
 use nearfar_core::render::{Channels, Frame, Limits};
@@ -58,8 +58,8 @@ impl Job {
         }
         for camera in cameras {
             let distance = (camera.position - picture.origin).abs().max_element();
-            if distance > REACH {
-                let expected = format!("a place within {REACH:e} m of the scene's origin");
+            if distance > MAX_COORDINATE {
+                let expected = format!("a place within {MAX_COORDINATE:e} m of the scene's origin");
                 return Err(Error::value("position", expected, format!("{distance:e} m")));
             }
         }

@@ -103,7 +103,7 @@ impl Mask {
         if mask.len() != count {
             return Err(Error::value("mask", format!("{count} pixels"), mask.len()));
         }
-        let pyramid = pixels.occlusion.then(|| MaskPyramid::new(mask, camera.width as usize));
+        let pyramid = pixels.culls_masked.then(|| MaskPyramid::new(mask, camera.width as usize));
         Ok(Some(Arc::new(Self { pixels: try_copy(mask)?, pyramid })))
     }
 

@@ -1,9 +1,9 @@
 // Declarations for drawing views as splats, shared by all kernels of a picture.
 
 struct View {
-    // Changes of the projector's functions X, Y, W per column, row and depth step.
+    // Changes of the projector's X, Y, W per column, row and depth step.
     steps: array<vec4<f32>, 3>,
-    // Gradients of the projector, times the ratio of a ball's radius to an ellipse's.
+    // Gradients of X, Y, W by world position, scaled by (radius of a ball) / (radius of a surfel's ellipse).
     gradients: array<vec4<f32>, 3>,
     // Right, up, towards the viewer; the first two in depth steps per pixel.
     axes: array<vec4<f32>, 3>,
@@ -15,7 +15,7 @@ struct View {
 
 struct Piece {
     start: vec3<f32>,
-    order: u32,
+    nearness_bits: u32,
     low: vec2<i32>,
     high: vec2<i32>,
     corner: vec2<u32>,

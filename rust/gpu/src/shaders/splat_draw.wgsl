@@ -175,7 +175,7 @@ fn splat_draw(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation
     let covered = tiles_of(piece);
     for (var n = lane; n < covered.z * covered.w; n += 64u) {
         let tile = (covered.y + n / covered.z) * tile_columns() + covered.x + n % covered.z;
-        if atomicLoad(&tiles[1u + tile]) <= piece.order {
+        if atomicLoad(&tiles[1u + tile]) <= piece.nearness_bits {
             atomicStore(&is_visible, 1u);
         }
     }

@@ -72,19 +72,20 @@ impl Layout {
 /// Images of a picture.
 pub(super) struct Images {
     colors: Vec<[f32; 4]>,
-    others: Vec<[u32; 2]>,
-    middles: Vec<[u32; 2]>,
+    before_masks: Vec<[u32; 2]>,
+    center_keys: Vec<[u32; 2]>,
 }
 
 impl Images {
     /// Creates empty images.
     pub fn new(layout: &Layout) -> Result<Self> {
         let pixels = layout.size[0] as usize * layout.size[1] as usize;
-        let [colors, others, middles] = layout.is_requested.map(|requested| if requested { pixels } else { 0 });
+        let [colors, before_masks, center_keys] =
+            layout.is_requested.map(|requested| if requested { pixels } else { 0 });
         Ok(Self {
             colors: try_with_capacity(colors)?,
-            others: try_with_capacity(others)?,
-            middles: try_with_capacity(middles)?,
+            before_masks: try_with_capacity(before_masks)?,
+            center_keys: try_with_capacity(center_keys)?,
         })
     }
 
@@ -96,12 +97,12 @@ impl Images {
             first => &words[first as usize..][..(WORDS[n] * pixels) as usize],
         };
         self.colors.extend_from_slice(bytemuck::cast_slice(image(0)));
-        self.others.extend_from_slice(bytemuck::cast_slice(image(1)));
-        self.middles.extend_from_slice(bytemuck::cast_slice(image(2)));
+        self.before_masks.extend_from_slice(bytemuck::cast_slice(image(1)));
+        self.center_keys.extend_from_slice(bytemuck::cast_slice(image(2)));
     }
 
     /// Returns the complete images.
     pub fn as_found(&self) -> Found<'_> {
-        Found { colors: &self.colors, others: &self.others, middles: &self.middles }
+        Found { colors: &self.colors, before_masks: &self.before_masks, center_keys: &self.center_keys }
     }
 }

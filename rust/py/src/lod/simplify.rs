@@ -1,7 +1,7 @@
 //! Bindings of `lod`: simplification of surfaces, and curves fitted to samples of SSIM.
 
 use nearfar_core::base::memory::try_list;
-use nearfar_core::lod::{self, Allowance, Charts, LogisticCurve, Status, Unfit, Vertices};
+use nearfar_core::lod::{self, Allowance, ConnectedSurface, LogisticCurve, Status, Unfit, Vertices};
 use numpy::{IntoPyArray, PyArray1, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
@@ -37,7 +37,8 @@ pub fn carry<'py>(
 ) -> PyResult<Places<'py>> {
     let (positions, faces) = (positions.as_slice()?.as_chunks().0, faces.as_slice()?.as_chunks().0);
     let (corners, starts) = (corners.as_slice()?.as_chunks().0.as_chunks().0, starts.as_slice()?);
-    let places = run::long(py, report, |progress| Charts::new(positions, faces)?.places(corners, starts, progress))?;
+    let places =
+        run::long(py, report, |progress| ConnectedSurface::new(positions, faces)?.places(corners, starts, progress))?;
     let places = places.as_flattened();
     let weights = try_list(places.iter().map(|place| place.weights)).map_err(to_python)?;
     let faces = try_list(places.iter().map(|place| place.face)).map_err(to_python)?;
@@ -56,12 +57,12 @@ pub fn collapse<'py>(
     target: usize,
     sacrifice: &str,
 ) -> PyResult<(Array2<'py, u32>, f32)> {
-    let (positions, attributes, weights, is_seam) = &vertices;
+    let (positions, attributes, weights, is_protected) = &vertices;
     let vertices = Vertices {
         positions: positions.as_slice()?.as_chunks().0,
         attributes: attributes.as_slice()?,
         weights: weights.as_slice()?,
-        is_seam: is_seam.as_slice()?,
+        is_protected: is_protected.as_slice()?,
     };
     let faces = faces.as_slice()?.as_chunks().0;
     let named = [("nothing", Allowance::Nothing), ("seams", Allowance::Seams), ("parts", Allowance::Parts)];

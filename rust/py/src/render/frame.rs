@@ -44,7 +44,7 @@ impl Settings<'_> {
     pub fn pixels(&self) -> PyResult<Pixels<'_>> {
         let mask = self.mask.as_ref().map(Read2::as_slice).transpose()?;
         let instances = self.instances.as_ref().map(Read1::as_slice).transpose()?;
-        Ok(Pixels { mask, bare: self.bare, occlusion: self.occlusion, instances })
+        Ok(Pixels { mask, bare: self.bare, culls_masked: self.occlusion, instances })
     }
 }
 

@@ -2,7 +2,7 @@
 
 use nearfar_core::base::Result;
 use nearfar_core::scene::meshopt::{Filter, Layout, Mode, decode};
-use nearfar_core::scene::ply::{self, Number};
+use nearfar_core::scene::ply::{self, ScalarType};
 use nearfar_core::scene::polygons::{Faces, Polygons, prisms, triangulate, triangulate_faces as faces_in_space, wkb};
 use nearfar_core::scene::wavefront::{self, Skipped};
 use numpy::IntoPyArray;
@@ -42,17 +42,17 @@ pub fn read_wavefront<'py>(
 }
 
 /// Types of lengths of lists by NumPy's codes.
-const LENGTHS: [(&str, Number); 10] = [
-    ("i1", Number::I8),
-    ("u1", Number::U8),
-    ("i2", Number::I16),
-    ("u2", Number::U16),
-    ("i4", Number::I32),
-    ("u4", Number::U32),
-    ("i8", Number::I64),
-    ("u8", Number::U64),
-    ("f4", Number::F32),
-    ("f8", Number::F64),
+const LENGTHS: [(&str, ScalarType); 10] = [
+    ("i1", ScalarType::I8),
+    ("u1", ScalarType::U8),
+    ("i2", ScalarType::I16),
+    ("u2", ScalarType::U16),
+    ("i4", ScalarType::I32),
+    ("u4", ScalarType::U32),
+    ("i8", ScalarType::I64),
+    ("u8", ScalarType::U64),
+    ("f4", ScalarType::F32),
+    ("f8", ScalarType::F64),
 ];
 /// Bytes of the values, and offsets of the rows; the offsets of single values are empty.
 type Column<'py> = (Array1<'py, u8>, Array1<'py, i64>);

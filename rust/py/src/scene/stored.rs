@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use nearfar_core::base::Error;
-use nearfar_core::scene::stored::{self, Attributes, Number, Rows, StoredFaces, StoredPart};
+use nearfar_core::scene::stored::{self, Attributes, ComponentType, Rows, StoredFaces, StoredPart};
 use numpy::ndarray::{self, ArrayView1};
 use numpy::{IntoPyArray, PyArrayDyn};
 use pyo3::exceptions::PyValueError;
@@ -18,13 +18,13 @@ pub struct StoredMeshes(Arc<stored::StoredMeshes>);
 
 /// Parses a table row: block, first byte, step, count, width, glTF component type, whether values are normalised.
 fn parse_rows(row: ArrayView1<'_, i64>) -> PyResult<Rows> {
-    let number = match row[5] {
-        5120 => Number::I8,
-        5121 => Number::U8,
-        5122 => Number::I16,
-        5123 => Number::U16,
-        5125 => Number::U32,
-        5126 => Number::F32,
+    let component = match row[5] {
+        5120 => ComponentType::I8,
+        5121 => ComponentType::U8,
+        5122 => ComponentType::I16,
+        5123 => ComponentType::U16,
+        5125 => ComponentType::U32,
+        5126 => ComponentType::F32,
         other => return Err(PyValueError::new_err(format!("rows: expected a component type of glTF, got {other}"))),
     };
     let unsigned = |column: usize| {
@@ -36,7 +36,7 @@ fn parse_rows(row: ArrayView1<'_, i64>) -> PyResult<Rows> {
         step: unsigned(2)?,
         count: unsigned(3)?,
         width: unsigned(4)?,
-        number,
+        component,
         is_fraction: row[6] != 0,
     })
 }
@@ -65,7 +65,7 @@ impl StoredMeshes {
     /// Converts numbers of meshes; fails unless these are usable.
     fn mesh_indices(&self, meshes: &Read1<'_, i64>) -> PyResult<Vec<usize>> {
         let number =
-            |&mesh: &i64| usize::try_from(mesh).ok().filter(|&mesh| mesh < self.0.len() && self.0.is_fit(mesh));
+            |&mesh: &i64| usize::try_from(mesh).ok().filter(|&mesh| mesh < self.0.len() && self.0.is_usable(mesh));
         meshes
             .as_array()
             .iter()
@@ -112,8 +112,8 @@ impl StoredMeshes {
     }
 
     /// Whether each mesh is usable (M,).
-    fn fit<'py>(&self, py: Python<'py>) -> Array1<'py, bool> {
-        self.per_mesh(py, |mesh| self.0.is_fit(mesh))
+    fn usable<'py>(&self, py: Python<'py>) -> Array1<'py, bool> {
+        self.per_mesh(py, |mesh| self.0.is_usable(mesh))
     }
 
     /// Numbers of vertices (M,).

@@ -38,7 +38,7 @@ async fn parts_of_any_length_equal_the_file() {
 }
 
 #[tokio::test]
-async fn a_file_that_becomes_shorter_is_an_error() {
+async fn a_file_of_another_length_is_an_error() {
     let (_folder, top) = folder();
     let path = top.join("file");
     fs::write(&path, vec![1; 3 * PIECE_BYTES as usize]).unwrap();

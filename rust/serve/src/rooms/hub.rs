@@ -54,7 +54,8 @@ pub struct Seat {
 }
 
 impl Rooms {
-    /// Creates the rooms of a server. With a key, users need a token, and tickets stay valid after a restart.
+    /// Creates the rooms of a server. A token admits a user; a ticket gives a reconnecting user the same number. With a
+    /// key, users need a token, and tickets stay valid after a restart.
     pub fn new(limits: Limits, key: Option<Key>) -> Result<Self, String> {
         let ticket_key = key.clone().map_or_else(|| random::<32>().and_then(|secret| Key::new(&secret)), Ok)?;
         Ok(Rooms { token_key: key, ..Self::without_tokens(limits, ticket_key)? })

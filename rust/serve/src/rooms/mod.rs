@@ -1,7 +1,7 @@
 //! Rooms: users of one scene see each other's heads, hands and pointers.
 //!
-//! `socket` and `datagrams` are the transports of a user's frames; both use `session` and `outbox`. docs/rooms.md
-//! specifies the frames and the rules.
+//! A frame is a binary message, not a picture. `socket` and `datagrams` are the transports of a user's frames; both use
+//! `session` and `outbox`. docs/rooms.md specifies the frames and the rules.
 
 mod datagrams;
 mod statistics;
@@ -33,4 +33,4 @@ pub use reason::Reason;
 pub use requests::Datagrams;
 pub(crate) use session::{Entrance, Session};
 pub(crate) use socket::{Duplex, serve};
-pub use token::{Key, Number};
+pub use token::{Key, TokenNumber};

@@ -12,7 +12,7 @@ use super::pose::Pose;
 use super::reason::{End, Reason};
 use super::settle::Settlement;
 use super::statistics::Statistics;
-use super::token::{Number, TICKET_BYTES};
+use super::token::{TICKET_BYTES, TokenNumber};
 use crate::clients::Admission;
 
 /// A room with users.
@@ -34,7 +34,7 @@ struct User {
     group: u16,
     name: String,
     identity: u64,
-    token: Option<Number>,
+    token: Option<TokenNumber>,
     outbox: Arc<Outbox>,
     settlement: Settlement,
     /// Whether its last pose was final (`stops`).
@@ -55,7 +55,7 @@ pub struct JoinRequest<'a> {
     /// Name that others see.
     pub name: &'a str,
     /// Number of the user's token.
-    pub token: Option<Number>,
+    pub token: Option<TokenNumber>,
     /// Number and identity of a reconnecting user.
     pub previous: Option<(u16, u64)>,
     /// Random value that distinguishes users with the same number; a reconnecting user keeps its own.

@@ -46,7 +46,7 @@ struct Socket<S> {
 /// Serves a user over a new WebSocket; `first_bytes` arrived with its request. Returns the reason for the end.
 pub async fn serve<S: Duplex>(session: Session, stream: S, first_bytes: Bytes) -> Reason {
     let (limits, now) = (session.rooms.limits, Instant::now());
-    // A message of a full queue with a pose of each user, and as many bytes of pongs as the queue may have.
+    // Room for one message (a full queue plus one pose of each user) and for as many bytes of pongs as a queue holds.
     let max_write_bytes = 2 * limits.queue_bytes + limits.users * (HEADER_BYTES + 2 + pose::MAX_BYTES);
     let config = WebSocketConfig::default()
         .read_buffer_size(READ_BYTES)

@@ -86,7 +86,7 @@ impl SessionRequest {
 }
 
 impl Link {
-    /// Stream of the user's frames: the first one that the client opens in the session.
+    /// Stream of the user's messages: the first one that the client opens in the session.
     pub async fn stream(&self) -> Result<(SendStream, RecvStream), Broken> {
         let (send, mut receive) = self.connection.accept_bi().await?;
         let is_of_session =
@@ -94,7 +94,7 @@ impl Link {
         if is_of_session { Ok((send, receive)) } else { Err(Broken) }
     }
 
-    /// Waits until the client has ended the session; other capsules are ignored.
+    /// Waits for the end of the session's stream; its content is discarded.
     pub fn poll_ended(&mut self, context: &mut Context<'_>) -> Poll<()> {
         let mut buffer = [0; READ_BYTES];
         for _ in 0..MAX_CONSECUTIVE {

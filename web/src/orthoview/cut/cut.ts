@@ -40,8 +40,8 @@ export class Cells {
     return this.#subtrees.has(nameOf(tier, place));
   }
 
-  /** Other leaves whose triangles extend into a leaf. */
-  guestsOf(leaf: Triple): readonly Triple[] {
+  /** Guests of a leaf: other leaves whose triangles extend into it. */
+  leavesReachingInto(leaf: Triple): readonly Triple[] {
     const { tier, place } = subtreeOf(this.layout, 0, leaf);
     return this.#subtrees.get(nameOf(tier, place))?.guests.get(nameOf(0, leaf)) ?? [];
   }
@@ -70,7 +70,7 @@ export interface Settings {
   /** Whether leaves that are too near for their views are drawn as geometry, if the tree has geometry. */
   readonly geometry: boolean;
   /** Degrees by which the viewer's direction is raised before a cell's views are chosen. */
-  readonly lift: number;
+  readonly raiseDegrees: number;
 }
 
 /** A drawn cell. */
@@ -102,7 +102,7 @@ export function cut(cells: Cells, camera: Camera, settings: Settings): Cut {
   const leafDistance = pitch / (pixelSize(camera) * settings.error);
   const planes = frustumOf(camera);
   const viewAxes = layout.directions.map((direction) => frameOf(direction).axes[2]);
-  const raise = liftOf(settings.lift);
+  const raise = liftOf(settings.raiseDegrees);
   const [drawnCells, leaves]: [DrawnCell[], DrawnCell[]] = [[], []];
   const hasGeometry = settings.geometry && layout.geometry;
   const unknown = new Map<string, { tier: number; place: Triple }>();
@@ -129,7 +129,7 @@ export function cut(cells: Cells, camera: Camera, settings: Settings): Cut {
     if (!isFine && level === 0 && hasGeometry) {
       draw(leaves);
       // The records of guests state where their geometry is stored.
-      for (const guest of cells.guestsOf(place)) {
+      for (const guest of cells.leavesReachingInto(place)) {
         const subtree = subtreeOf(layout, 0, guest);
         if (!cells.knows(subtree.tier, subtree.place)) addUnknown(0, guest);
       }
@@ -222,8 +222,8 @@ export type OpenedStore = Pick<Records, 'layout' | 'shards' | 'geometry'>;
 export type FromCutter =
   | ({ readonly kind: 'opened' } & OpenedStore)
   | { readonly kind: 'subtree'; readonly subtree: Subtree }
-  /** `base` has the few coarse cells all around the viewer, which are shown first when the viewer turns. */
-  | { readonly kind: 'cut'; readonly cut: Cut; readonly base: Cut }
+  /** `coarse` has the few coarse cells all around the viewer, which are shown first when the viewer turns. */
+  | { readonly kind: 'cut'; readonly cut: Cut; readonly coarse: Cut }
   | { readonly kind: 'received'; readonly bytes: number }
   /** `isFatal` if nothing can be shown. */
   | { readonly kind: 'failed'; readonly failure: Failure; readonly isFatal: boolean };

@@ -6,8 +6,8 @@ import { openRecords, type Records } from '../store/records';
 import type { Camera } from './camera';
 import { Cells, cut, type Cut, type FromCutter, type Settings, type ToCutter } from './cut';
 
-/** Ratio of the error of the base cells, which lie all around the viewer, to the error of the cut. */
-const BASE_FACTOR = 6;
+/** Ratio of the error of the coarse cells, which lie all around the viewer, to the error of the cut. */
+const COARSE_FACTOR = 6;
 /** Milliseconds before a failed subtree is requested again. */
 const RETRY_MS = 3000;
 
@@ -47,16 +47,16 @@ async function open(base: URL): Promise<void> {
 function sendCut(): void {
   if (!view || !cells) return;
   const { camera, settings } = view;
-  const [base, fine] = [baseOf(cells, camera, settings), cut(cells, camera, settings)];
-  post({ kind: 'cut', cut: fine, base });
-  requestUnknown(base);
+  const [coarse, fine] = [coarseCutOf(cells, camera, settings), cut(cells, camera, settings)];
+  post({ kind: 'cut', cut: fine, coarse });
+  requestUnknown(coarse);
   requestUnknown(fine);
 }
 
 /** Cut with coarse cells all around, coarsest first. */
-function baseOf(cells: Cells, camera: Camera, settings: Settings): Cut {
+function coarseCutOf(cells: Cells, camera: Camera, settings: Settings): Cut {
   const { levels } = cells.layout;
-  const errors = Array.from({ length: levels }, (_, n) => settings.error * BASE_FACTOR * 2 ** (levels - 1 - n));
+  const errors = Array.from({ length: levels }, (_, n) => settings.error * COARSE_FACTOR * 2 ** (levels - 1 - n));
   // With the greatest error only the root cell is drawn.
   const cuts = [Number.MAX_VALUE, ...errors].map((error) =>
     cut(cells, camera, { ...settings, error, includesOutside: true, geometry: false }),

@@ -37,7 +37,7 @@ export interface Drawer<Layer extends GpuResource, Mesh extends GpuResource> {
   /** Waits until the GPU has finished the last picture. */
   finish(): Promise<void>;
   /** Splats of unoccluded parts in the last finished picture; null if the drawer also draws occluded parts. */
-  readonly unhidden: number | null;
+  readonly drawnSplats: number | null;
 }
 
 /** Greatest near distance of pictures with meshes, metres along the viewing axis. */

@@ -13,16 +13,16 @@ type RetainedNames = Readonly<Record<'cells' | 'leaves', ReadonlySet<string>>>;
 /** Resident part of a tree, for any back end. */
 export type ResidentTree = ReturnType<typeof createResidentTree>;
 
-/** Creates the resident part of a tree: at most `bytes` bytes of views, and a quarter as many of geometry. */
+/** Creates the resident part of a tree: at most `maxViewBytes` bytes of views, and a quarter as many of geometry. */
 export function createResidentTree<Layer extends GpuResource, Mesh extends GpuResource>(
   layout: Layout,
   drawer: Drawer<Layer, Mesh>,
-  bytes: number,
+  maxViewBytes: number,
 ) {
-  const views = new GpuCache<Layer>((layer) => drawer.drop(layer), bytes);
-  const leaves = new GpuCache<Mesh>((mesh) => drawer.meshes.drop(mesh), bytes / 4);
+  const views = new GpuCache<Layer>((layer) => drawer.drop(layer), maxViewBytes);
+  const leaves = new GpuCache<Mesh>((mesh) => drawer.meshes.drop(mesh), maxViewBytes / 4);
   return {
-    drawer: drawer as Pick<Drawer<Layer, Mesh>, 'isDone' | 'finish' | 'unhidden'>,
+    drawer: drawer as Pick<Drawer<Layer, Mesh>, 'isDone' | 'finish' | 'drawnSplats'>,
     addView({ level, place, direction }: ViewKey, layers: readonly Splats[]): void {
       const model = modelOf(layout, level, place, direction);
       views.add(level, place, direction, layers.map((splats) => drawer.upload(model, splats)));
@@ -69,7 +69,7 @@ export interface Facts extends FrameCounts {
   /** Number of cells in the picture, the largest ones, that an unfinished build has not reached. */
   readonly unbuilt: number;
   /** Splats of unoccluded parts in the last finished picture; null if unknown. */
-  readonly unhidden: number | null;
+  readonly drawnSplats: number | null;
   /** Number of leaves drawn as geometry, with their guests. */
   readonly leaves: number;
   /** Bytes, and number of views, on the GPU. */
@@ -81,7 +81,7 @@ export interface Facts extends FrameCounts {
 }
 
 /** Facts before the first picture. */
-export const INITIAL_FACTS: Omit<Facts, 'unhidden'> = {
+export const INITIAL_FACTS: Omit<Facts, 'drawnSplats'> = {
   ...factsOf({ views: [], leaves: [], holes: 0 }, { splats: 0, triangles: 0, calls: 0 }, { bytes: 0, views: 0 }),
   ...{ waiting: 0, unbuilt: 0, isComplete: false, graphics: null },
 };

@@ -100,7 +100,7 @@ export function choose(
   }
 
   for (const leaf of cut.leaves) {
-    const files = [leaf.place, ...cells.guestsOf(leaf.place)];
+    const files = [leaf.place, ...cells.leavesReachingInto(leaf.place)];
     const states = files.map(stateOf);
     const isDrawable = !states.includes('undrawable');
     const absent = files.filter((_, n) => states[n] === 'missing');

@@ -9,18 +9,18 @@ export interface StartSettings {
   /** Script of the WebGPU back end, loaded on demand. */
   readonly script: URL;
   /** Greatest size of the views on the GPU, bytes. */
-  readonly bytes: number;
+  readonly maxViewBytes: number;
   /** Called if the graphics fail: fatal if the device is lost, not fatal if memory is short. */
   onFailure(message: string, isFatal: boolean): void;
 }
 
 /** Creates the resident part of a tree that is drawn on a canvas. */
 export async function startResidentTree(canvas: HTMLCanvasElement, layout: Layout, settings: StartSettings) {
-  const { graphics, bytes } = settings;
+  const { graphics, maxViewBytes } = settings;
   const webgpu = graphics === 'webgl' ? null : await startWebgpu(canvas, layout, graphics === 'webgpu', settings);
-  if (webgpu) return { resident: createResidentTree(layout, webgpu, bytes), graphics: 'webgpu' as Graphics };
+  if (webgpu) return { resident: createResidentTree(layout, webgpu, maxViewBytes), graphics: 'webgpu' as Graphics };
   const webgl = createWebglDrawer(canvas, layout);
-  return { resident: createResidentTree(layout, webgl, bytes), graphics: 'webgl' as Graphics };
+  return { resident: createResidentTree(layout, webgl, maxViewBytes), graphics: 'webgl' as Graphics };
 }
 
 /** Returns a WebGPU drawer; if none is available, throws if WebGPU was requested by name, and else returns null. */

@@ -15,12 +15,14 @@ import { startResidentTree } from './start';
 export interface ViewerSettings extends Omit<Settings, 'includesOutside'> {
   readonly base: URL;
   readonly scripts: { readonly cutter: URL; readonly reader: URL; readonly webgpu: URL };
-  /** Samples along each axis of a pixel. */
-  readonly grid: number;
+  readonly samplesPerAxis: number;
   /** Back end; null for the best one available. */
   readonly graphics: Graphics | null;
-  /** Greatest size of views on the GPU, bytes; a quarter of it for geometry. A picture that needs more exceeds it. */
-  readonly bytes: number;
+  /**
+   * Limit for views on the GPU, bytes; geometry may take a quarter as much in addition. One picture may need more; then
+   * the limits are exceeded.
+   */
+  readonly maxViewBytes: number;
   readonly workers: number;
   onOpen(layout: Layout): void;
   onReceived(bytes: number): void;
@@ -52,7 +54,7 @@ export class Viewer {
   #tree: Tree | null = null;
   #readers: Readers | null = null;
   #cut: Cut | null = null;
-  #baseCut: Cut | null = null;
+  #coarseCut: Cut | null = null;
   #camera: Camera | null = null;
   /** Whether a cut has been requested and not arrived; whether it is outdated because the camera has moved. */
   #isCutRequested = false;
@@ -64,7 +66,7 @@ export class Viewer {
   #begin = 0;
   #end = 0;
   #isDrawing = false;
-  #facts: Omit<Facts, 'unhidden'> = INITIAL_FACTS;
+  #facts: Omit<Facts, 'drawnSplats'> = INITIAL_FACTS;
 
   constructor(readonly canvas: HTMLCanvasElement, settings: ViewerSettings) {
     this.#settings = settings;
@@ -93,7 +95,7 @@ export class Viewer {
     if (this.#isCutStale && !this.#isCutRequested) this.#requestCut(camera);
     // Failed views may be due for a retry.
     this.#queue.fill();
-    if (!this.#cut || !this.#isDone(this.#tree.resident)) return false;
+    if (!this.#cut || !this.#noteIfDone(this.#tree.resident)) return false;
     const pause = Math.max(MIN_PAUSE_MS, this.drawMs / MAX_DRAWING_SHARE - this.drawMs);
     const isDue = performance.now() - this.#end >= pause;
     if (!(this.#hasMoved || (this.#isDirty && (isDue || this.#queue.waiting === 0)))) return false;
@@ -102,7 +104,7 @@ export class Viewer {
   }
 
   get facts(): Facts {
-    return { ...this.#facts, unhidden: this.#tree?.resident.drawer.unhidden ?? null };
+    return { ...this.#facts, drawnSplats: this.#tree?.resident.drawer.drawnSplats ?? null };
   }
 
   /** Duration of the last picture, milliseconds. */
@@ -121,8 +123,11 @@ export class Viewer {
     return performance.now() - begin;
   }
 
-  /** Whether the GPU has finished the last picture; before that, pictures would queue up. */
-  #isDone({ drawer }: ResidentTree): boolean {
+  /**
+   * Records the end of the last picture if the GPU has finished it; returns whether it has. Before that, pictures would
+   * queue up.
+   */
+  #noteIfDone({ drawer }: ResidentTree): boolean {
     if (!this.#isDrawing) return true;
     if (!drawer.isDone) return false;
     this.#end = performance.now();
@@ -138,9 +143,9 @@ export class Viewer {
   }
 
   #requestCut(camera: Camera): void {
-    const { views, error, geometry, lift } = this.#settings;
+    const { views, error, geometry, raiseDegrees } = this.#settings;
     [this.#isCutRequested, this.#isCutStale] = [true, false];
-    this.#sendToCutter({ kind: 'look', camera, settings: { views, error, includesOutside: false, geometry, lift } });
+    this.#sendToCutter({ kind: 'look', camera, settings: { views, error, includesOutside: false, geometry, raiseDegrees } });
   }
 
   #onCutterMessage(message: FromCutter): void {
@@ -153,7 +158,7 @@ export class Viewer {
         this.#catalog.add(message.subtree.shards, message.subtree.geometry);
         break;
       case 'cut':
-        [this.#cut, this.#baseCut] = [message.cut, message.base];
+        [this.#cut, this.#coarseCut] = [message.cut, message.coarse];
         this.#isCutRequested = false;
         this.#isDirty = true;
         this.#requestViews();
@@ -193,9 +198,9 @@ export class Viewer {
   }
 
   async #open({ layout, shards, geometry }: OpenedStore): Promise<void> {
-    const { scripts, workers, base, bytes, graphics } = this.#settings;
+    const { scripts, workers, base, maxViewBytes, graphics } = this.#settings;
     const onFailure = (message: string, isFatal: boolean): void => this.#fail(message, isFatal);
-    const settings = { graphics, script: scripts.webgpu, bytes, onFailure };
+    const settings = { graphics, script: scripts.webgpu, maxViewBytes, onFailure };
     const started = await startResidentTree(this.canvas, layout, settings);
     this.#tree = { cells: new Cells(layout), ...started };
     this.#catalog.add(shards, geometry);
@@ -238,9 +243,9 @@ export class Viewer {
     this.#begin = performance.now();
     this.#isDrawing = true;
     const choice = this.#choose(this.#cut);
-    const needed = this.#cut.leaves.flatMap(({ place }) => [place, ...cells.guestsOf(place)]);
-    const counts = resident.draw(choice, camera, this.#settings.grid, {
-      cells: new Set(this.#baseCut?.cells.map(({ level, place }) => nameOf(level, place))),
+    const needed = this.#cut.leaves.flatMap(({ place }) => [place, ...cells.leavesReachingInto(place)]);
+    const counts = resident.draw(choice, camera, this.#settings.samplesPerAxis, {
+      cells: new Set(this.#coarseCut?.cells.map(({ level, place }) => nameOf(level, place))),
       leaves: new Set(needed.map((place) => nameOf(0, place))),
     });
     const { waiting } = this.#queue;
@@ -254,9 +259,10 @@ export class Viewer {
   #requestViews(): void {
     if (!this.#tree) return;
     const requests = new Map<string, ViewRequest>();
-    const coarseCut = (isInPicture: boolean): Cut | null =>
-      this.#baseCut && { ...this.#baseCut, cells: this.#baseCut.cells.filter((cell) => cell.isInPicture === isInPicture) };
-    for (const cut of [coarseCut(true), this.#cut, coarseCut(false)]) {
+    const coarse = this.#coarseCut;
+    const coarseCells = (isInPicture: boolean): Cut | null =>
+      coarse && { ...coarse, cells: coarse.cells.filter((cell) => cell.isInPicture === isInPicture) };
+    for (const cut of [coarseCells(true), this.#cut, coarseCells(false)]) {
       if (!cut) continue;
       const { missingLeaves, missingViews } = this.#choose(cut);
       // Leaves come first: their files are small and cover most of the picture.

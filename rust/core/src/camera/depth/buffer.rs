@@ -91,8 +91,9 @@ impl DepthBuffer {
         if parallel && ends.iter().all(|&z| z <= 0.0) {
             ends = [-ends[0], -ends[1]];
         }
-        let near = usize::from((ends[1] > ends[0]) != parallel);
-        let ahead = if parallel { ends[0].min(ends[1]) >= 0.0 } else { ends[near] > 0.0 };
+        // Index of the near plane's end: the larger inverse distance or, for parallel rays, the smaller distance.
+        let near_end = usize::from((ends[1] > ends[0]) != parallel);
+        let ahead = if parallel { ends[0].min(ends[1]) >= 0.0 } else { ends[near_end] > 0.0 };
         let is_valid = ahead && ends[0] != ends[1] && ends.iter().all(|end| end.is_finite());
         let expected = "a matrix with its near plane in front of the eye and its far plane beyond the near plane";
         ensure!(is_valid, "projection", expected, got);
@@ -104,7 +105,7 @@ impl DepthBuffer {
             width,
             height,
             ends,
-            background: 1 - near,
+            background: 1 - near_end,
             parallel,
             first: tangents_of([0.5 * right - 1.0 - middle[0], 1.0 + 0.5 * down - middle[1]]),
             steps: [tangents_of([right, 0.0]), tangents_of([0.0, down])],
@@ -169,7 +170,7 @@ impl DepthBuffer {
     }
 }
 
-/// Runs a kernel over one row. Returns whether a value was refused; only refused values have the result NaN.
+/// Runs a kernel over one row. Returns whether a value may have been refused; only refused values have the result NaN.
 fn run_row<T: Copy, U: Copy + Default>(row: &DepthRow, values: &[T], results: &mut [U], kernel: Kernel<T, U>) -> bool {
     let (blocks, remaining) = values.as_chunks::<BLOCK>();
     let (block_results, remaining_results) = results.as_chunks_mut::<BLOCK>();
@@ -179,7 +180,8 @@ fn run_row<T: Copy, U: Copy + Default>(row: &DepthRow, values: &[T], results: &m
         column += BLOCK as i32;
     }
     if let Some(&last) = remaining.last() {
-        // The remaining values are padded to a block. The kernel may refuse a value only in a padded column.
+        // The remaining values are padded to a block. The kernel may refuse a padded column although it accepts the same
+        // value inside the image, so the caller searches the results for NaN.
         let (mut block, mut padded) = ([last; BLOCK], [U::default(); BLOCK]);
         block[..remaining.len()].copy_from_slice(remaining);
         refused |= kernel(row, column, &block, &mut padded);

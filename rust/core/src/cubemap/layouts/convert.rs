@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use super::super::faces::{CubeFaces, check_out};
 use super::super::lookup::{
     BLOCK, BlockValues, SampledPicture, Sampler, TexelFilter, copy_texels, cube_sampler, find_texels,
-    is_zero_or_not_finite, process_blocks, process_tiles,
+    is_zero_or_not_finite, process_blocks, process_chunks,
 };
 use super::flat;
 use super::layout::{Grid, GridRows, Layout};
@@ -120,7 +120,7 @@ pub fn convert_nearest<T: Copy + Send + Sync>(
 /// Writes the number of the texel that each direction hits.
 pub fn grid_texels<D: Real>(grid: Grid, directions: &[[D; 3]], out: &mut [i64], progress: &Progress) -> Result<()> {
     ensure!(out.len() == directions.len(), "out", format!("{} numbers", directions.len()), out.len());
-    process_tiles(directions, out, 1, progress, |directions, out| {
+    process_chunks(directions, out, 1, progress, |directions, out| {
         for (d, number) in directions.iter().zip(out) {
             if !is_zero_or_not_finite(d) {
                 *number = grid.texel(DVec3::from_array(d.map(Real::wide))).into();

@@ -26,13 +26,18 @@ fn positions<const OCTAHEDRAL: bool>(d: &[[f64; 3]; BLOCK]) -> [BlockValues<f64>
 }
 
 /// Finds each direction's position between texels. A direction is at a seam if its filter crosses an edge of the
-/// picture. `reach` is `TexelFilter::reach`.
+/// picture. `filter_extent` is `TexelFilter::extent`.
 #[inline(always)]
-fn locate_kernel<const OCTAHEDRAL: bool>(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32; 2], out: &mut Positions) {
+fn locate_kernel<const OCTAHEDRAL: bool>(
+    d: &[[f64; 3]; BLOCK],
+    grid: Grid,
+    filter_extent: [u32; 2],
+    out: &mut Positions,
+) {
     let [across, down] = positions::<OCTAHEDRAL>(d);
     let (width, height) = (f64::from(grid.width), f64::from(grid.height));
-    let low = f64::from(reach[0]);
-    let (right, bottom) = (width - 1.0 - f64::from(reach[1]), height - 1.0 - f64::from(reach[1]));
+    let low = f64::from(filter_extent[0]);
+    let (right, bottom) = (width - 1.0 - f64::from(filter_extent[1]), height - 1.0 - f64::from(filter_extent[1]));
     for i in 0..BLOCK {
         let (x, y) = (across.0[i] * width - 0.5, down.0[i] * height - 0.5);
         let inside = (x >= low) & (x <= right) & (y >= low) & (y <= bottom);
@@ -57,17 +62,17 @@ fn find_texels_kernel<const OCTAHEDRAL: bool>(d: &[[f64; 3]; BLOCK], grid: Grid,
 }
 
 vectorized! {
-    fn locate_octahedral(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32; 2], out: &mut Positions) = locate_kernel::<true>;
-    fn locate_equirectangular(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32; 2], out: &mut Positions) = locate_kernel::<false>;
+    fn locate_octahedral(d: &[[f64; 3]; BLOCK], grid: Grid, filter_extent: [u32; 2], out: &mut Positions) = locate_kernel::<true>;
+    fn locate_equirectangular(d: &[[f64; 3]; BLOCK], grid: Grid, filter_extent: [u32; 2], out: &mut Positions) = locate_kernel::<false>;
     fn find_octahedral_texels(d: &[[f64; 3]; BLOCK], grid: Grid, texel: &mut BlockValues<u32>) = find_texels_kernel::<true>;
     fn find_equirectangular_texels(d: &[[f64; 3]; BLOCK], grid: Grid, texel: &mut BlockValues<u32>) = find_texels_kernel::<false>;
 }
 
 /// Calls `locate_kernel` for the grid's layout.
-pub(super) fn locate(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32; 2], out: &mut Positions) {
+pub(super) fn locate(d: &[[f64; 3]; BLOCK], grid: Grid, filter_extent: [u32; 2], out: &mut Positions) {
     match grid.layout {
-        Layout::Octahedral => locate_octahedral(d, grid, reach, out),
-        _ => locate_equirectangular(d, grid, reach, out),
+        Layout::Octahedral => locate_octahedral(d, grid, filter_extent, out),
+        _ => locate_equirectangular(d, grid, filter_extent, out),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::super::lookup::{BLOCK, MIN_WEIGHT, Positions, SampledPicture, Sampler, TexelFilter, first_value, keys};
+use super::super::lookup::{BLOCK, MIN_WEIGHT, Positions, SampledPicture, Sampler, TexelFilter, extreme, keys};
 use super::flat;
 use super::layout::Grid;
 use crate::base::{Real, Result, ensure};
@@ -32,12 +32,12 @@ pub(super) fn flat_sampler<T: Real>(picture: Panorama<'_, T>, filter: TexelFilte
 }
 
 impl<T: Real> SampledPicture<T> for Panorama<'_, T> {
-    fn locate<D: Real>(&self, block: &[[D; 3]; BLOCK], reach: [u32; 2], positions: &mut Positions) -> u32 {
+    fn locate<D: Real>(&self, block: &[[D; 3]; BLOCK], filter_extent: [u32; 2], positions: &mut Positions) -> u32 {
         let mut wide = [[0.0; 3]; BLOCK];
         for (wide, d) in wide.iter_mut().zip(block) {
             *wide = d.map(Real::wide);
         }
-        flat::locate(&wide, self.grid, reach, positions);
+        flat::locate(&wide, self.grid, filter_extent, positions);
         0
     }
 
@@ -66,8 +66,8 @@ impl<T: Real> SampledPicture<T> for Panorama<'_, T> {
             let texel = |&(start, _): &(usize, f64)| self.values[start + channel];
             let taps = taps[..count].iter();
             *value = match filter {
-                TexelFilter::Min => first_value(taps.map(texel), |a, b| a < b),
-                TexelFilter::Max => first_value(taps.map(texel), |a, b| a > b),
+                TexelFilter::Min => extreme(taps.map(texel), |a, b| a < b),
+                TexelFilter::Max => extreme(taps.map(texel), |a, b| a > b),
                 _ => T::narrow(taps.map(|tap| texel(tap).wide() * tap.1).sum()),
             };
         }

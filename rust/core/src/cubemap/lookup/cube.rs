@@ -4,10 +4,10 @@ use glam::DVec3;
 
 use super::super::faces::{CubeFaces, check_out};
 use super::blocks::{self, BLOCK, BlockValues, Inner, MIN_WEIGHT, Positions};
+use super::chunks::{process_blocks, process_chunks};
 use super::cubic::BorderedFaces;
-use super::sampler::{SampledPicture, Sampler, TexelFilter, first_value};
+use super::sampler::{SampledPicture, Sampler, TexelFilter, extreme};
 use super::taps::Taps;
-use super::tiles::{process_blocks, process_tiles};
 use crate::base::{Progress, Real, Result};
 
 /// A cube map as a sampler reads it.
@@ -29,8 +29,13 @@ pub(in crate::cubemap) fn cube_sampler<T: Real>(
 }
 
 impl<T: Real> SampledPicture<T> for Cube<'_, T> {
-    fn locate<D: Real>(&self, block: &[[D; 3]; BLOCK], [before, after]: [u32; 2], out: &mut Positions) -> u32 {
-        blocks::locate(block, self.faces.size, Inner::new(self.faces.size, before, after), out)
+    fn locate<D: Real>(
+        &self,
+        block: &[[D; 3]; BLOCK],
+        [texels_before, texels_after]: [u32; 2],
+        out: &mut Positions,
+    ) -> u32 {
+        blocks::locate(block, self.faces.size, Inner::new(self.faces.size, texels_before, texels_after), out)
     }
 
     fn sample(&self, d: DVec3, filter: TexelFilter, out: &mut [T]) {
@@ -42,8 +47,8 @@ impl<T: Real> SampledPicture<T> for Cube<'_, T> {
         for (channel, value) in out.iter_mut().enumerate() {
             let texels = (0..4).filter(|&i| taps.weight[i] > MIN_WEIGHT).map(|i| rows[i][channel]);
             *value = match filter {
-                TexelFilter::Min => first_value(texels, |a, b| a < b),
-                TexelFilter::Max => first_value(texels, |a, b| a > b),
+                TexelFilter::Min => extreme(texels, |a, b| a < b),
+                TexelFilter::Max => extreme(texels, |a, b| a > b),
                 _ => mean(rows.map(|row| row[channel]), &taps),
             };
         }
@@ -66,7 +71,7 @@ pub fn lookup<T: Real, D: Real>(
 ) -> Result<()> {
     check_out(out, directions.len() * faces.channels)?;
     let sampler = cube_sampler(faces, filter, directions.len())?;
-    process_tiles(directions, out, faces.channels, progress, |directions, out| sampler.sample(directions, out))
+    process_chunks(directions, out, faces.channels, progress, |directions, out| sampler.sample(directions, out))
 }
 
 /// Writes the texel that each direction hits, for values of any type. Fails like `lookup`.
@@ -77,7 +82,7 @@ pub fn nearest<T: Copy + Send + Sync, D: Real>(
     progress: &Progress,
 ) -> Result<()> {
     check_out(out, directions.len() * faces.channels)?;
-    process_tiles(directions, out, faces.channels, progress, |directions, out| {
+    process_chunks(directions, out, faces.channels, progress, |directions, out| {
         let mut numbers = BlockValues([0; BLOCK]);
         process_blocks(directions, out, faces.channels, |block, out| {
             let invalid_count = blocks::find_texels(block, faces.size, &mut numbers);

@@ -7,16 +7,16 @@ use rayon::prelude::*;
 
 use super::super::faces::{CubeFaces, check_out, first_of_block, is_known};
 use super::blocks::{halve_greatest, halve_least};
+use super::chunks::{check_first_invalid, is_zero_or_not_finite};
 use super::cone::{Cone, ConeRows};
 use super::sampler::TexelFilter;
-use super::tiles::{check_first_invalid, is_zero_or_not_finite};
 use crate::base::{Error, Progress, Real, Result, ensure, memory::room_for};
 
 /// Approximate cone diameter, in texels, above which a level with blocks of twice the size saves time.
 const WIDE_CONE: f64 = 8.0;
 
 /// Number of directions in one task.
-const TILE: usize = 64;
+const CHUNK: usize = 64;
 
 /// Writes the minimum or maximum of all texels that the cone around each direction touches. `radius` is the cone's half
 /// angle, at least 0 and below 90°. Fails if a direction is zero or not finite.
@@ -52,7 +52,7 @@ fn look_up_all<T: Real, D: Real, const MAX: bool>(
 ) -> Result<()> {
     let pyramid = Pyramid::new::<MAX>(faces, radius)?;
     let nothing = if MAX { f64::NEG_INFINITY } else { f64::INFINITY };
-    out.par_chunks_mut(TILE * faces.channels).zip(directions.par_chunks(TILE)).try_for_each(|(out, directions)| {
+    out.par_chunks_mut(CHUNK * faces.channels).zip(directions.par_chunks(CHUNK)).try_for_each(|(out, directions)| {
         let mut scratch = Scratch::default();
         for (out, d) in out.chunks_exact_mut(faces.channels).zip(directions) {
             out.fill(T::narrow(nothing));

@@ -5,7 +5,7 @@ use glam::DVec3;
 
 use super::super::faces::is_known;
 use super::blocks::{self, BLOCK, BlockValues, Positions};
-use super::tiles::process_blocks;
+use super::chunks::process_blocks;
 use crate::base::Real;
 
 /// Rule that combines the texels around a direction into one value.
@@ -23,7 +23,7 @@ pub enum TexelFilter {
 
 impl TexelFilter {
     /// Returns the number of texels that the filter reads before and after `Positions::first` along each axis.
-    pub(in crate::cubemap) fn reach(self) -> [u32; 2] {
+    pub(in crate::cubemap) fn extent(self) -> [u32; 2] {
         if self == Self::Cubic { [1, 2] } else { [0, 1] }
     }
 }
@@ -31,7 +31,7 @@ impl TexelFilter {
 /// A panorama that a sampler can read.
 pub(in crate::cubemap) trait SampledPicture<T> {
     /// Finds each direction's position between texels. Returns the number of directions that are zero or not finite.
-    fn locate<D: Real>(&self, block: &[[D; 3]; BLOCK], reach: [u32; 2], positions: &mut Positions) -> u32;
+    fn locate<D: Real>(&self, block: &[[D; 3]; BLOCK], filter_extent: [u32; 2], positions: &mut Positions) -> u32;
 
     /// Writes the value in one direction (finite, not zero). It must agree with the value of the block kernels.
     fn sample(&self, d: DVec3, filter: TexelFilter, out: &mut [T]);
@@ -62,16 +62,16 @@ impl<'a, T: Real, S: SampledPicture<T>> Sampler<'a, T, S> {
         filter: TexelFilter,
         picture: S,
     ) -> Self {
-        let [before, after] = filter.reach();
+        let [texels_before, texels_after] = filter.extent();
         let texels = Texels { values, width: width as usize, channels, filter };
-        Self { texels, has_inside: edge > before + after, picture }
+        Self { texels, has_inside: edge > texels_before + texels_after, picture }
     }
 
     /// Writes the values in directions. Returns the index of the first direction that is zero or not finite.
     pub(in crate::cubemap) fn sample<D: Real>(&self, directions: &[[D; 3]], out: &mut [T]) -> Option<usize> {
         let mut positions = Positions::new();
         process_blocks(directions, out, self.texels.channels, |block, out| {
-            let invalid_count = self.picture.locate(block, self.texels.filter.reach(), &mut positions);
+            let invalid_count = self.picture.locate(block, self.texels.filter.extent(), &mut positions);
             if invalid_count == 0 {
                 if self.has_inside {
                     self.texels.sample_inside(&positions, out);
@@ -164,8 +164,9 @@ impl<T: Real> Texels<'_, T> {
     }
 }
 
-/// Returns the first value in the order `before`: the minimum for `a < b`, the maximum for `a > b`; NaN if all are NaN.
-pub(in crate::cubemap) fn first_value<T: Real>(values: impl Iterator<Item = T>, before: impl Fn(T, T) -> bool) -> T {
+/// Returns the value that comes before all others: the minimum for `a < b`, the maximum for `a > b`; NaN values are
+/// skipped, unless all are NaN.
+pub(in crate::cubemap) fn extreme<T: Real>(values: impl Iterator<Item = T>, before: impl Fn(T, T) -> bool) -> T {
     let first = |best, value| if before(value, best) || !is_known(best) { value } else { best };
     values.fold(T::narrow(f64::NAN), first)
 }

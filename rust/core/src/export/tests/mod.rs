@@ -14,15 +14,16 @@ mod read;
 /// Creates `count` random triangles between vertices within a cube of 8 m, with all attributes.
 fn random_mesh(seed: u64, count: u64, objects: FaceMap, materials: FaceMap) -> Mesh {
     let vertex_count = count + 2;
-    let number = |cell: u64, row: u64| uniform(seed, cell, row) as f32;
-    let rows = |cell: u64| (0..vertex_count).map(move |row| [0, 1, 2].map(|i| 8.0 * number(cell + i, row) - 4.0));
+    let number = |stream: u64, row: u64| uniform(seed, stream, row) as f32;
+    let rows = |stream: u64| (0..vertex_count).map(move |row| [0, 1, 2].map(|i| 8.0 * number(stream + i, row) - 4.0));
     let positions: Buffer<[f32; 3]> = rows(0).collect();
-    let uvs: Buffer<[f32; 2]> = (0..vertex_count).map(|row| [3, 4].map(|cell| 6.0 * number(cell, row) - 3.0)).collect();
+    let uvs: Buffer<[f32; 2]> =
+        (0..vertex_count).map(|row| [3, 4].map(|stream| 6.0 * number(stream, row) - 3.0)).collect();
     let colors: Buffer<[u8; 4]> =
-        (0..vertex_count).map(|row| [5, 6, 7, 8].map(|cell| (255.0 * number(cell, row)) as u8)).collect();
+        (0..vertex_count).map(|row| [5, 6, 7, 8].map(|stream| (255.0 * number(stream, row)) as u8)).collect();
     let normals: Buffer<[f32; 3]> = rows(9).collect();
-    let corner = |cell: u64, row: u64| (uniform(seed, cell, row) * vertex_count as f64) as u32;
-    let faces: Buffer<[u32; 3]> = (0..count).map(|row| [12, 13, 14].map(|cell| corner(cell, row))).collect();
+    let corner = |stream: u64, row: u64| (uniform(seed, stream, row) * vertex_count as f64) as u32;
+    let faces: Buffer<[u32; 3]> = (0..count).map(|row| [12, 13, 14].map(|stream| corner(stream, row))).collect();
     let mesh = Mesh::new(positions, faces, Some(uvs), Some(colors), objects, materials).unwrap();
     mesh.with_normals(Some(normals)).unwrap()
 }
@@ -51,6 +52,7 @@ fn scene(standing: Vec<Instance>, moving: Vec<Instance>) -> Scene {
     Scene::new(DVec3::ZERO, standing, moving, Arc::new(vec![blue, cut]), Arc::new(vec![texture])).unwrap()
 }
 
+/// `groups` has the group of each object, then that of the faces without an object.
 fn export(scene: &Scene, groups: &[u16], count: usize, settings: Settings) -> Export {
     let names = (0..groups.len() - 1).map(|object| format!("object {object}")).collect();
     Export::new(scene, groups, count, names, vec![Some("a.png".into())], settings, &Progress::new()).unwrap()
@@ -80,7 +82,8 @@ fn rounded(triangles: impl IntoIterator<Item = [DVec3; 3]>, unit: f64) -> Vec<[[
     all
 }
 
-/// Rounds to the nearest multiple of the smallest power of two, at least 1, whose factor is below 2²³.
+/// Rounds to an integer that float32 holds exactly: to a multiple of the least power of two, at least 1, for which the
+/// quotient stays below 2²³.
 fn rounded_number(x: f64) -> i64 {
     let mut power = 1.0;
     while (x / power).round_ties_even().abs() >= 2f64.powi(23) {
@@ -103,7 +106,7 @@ fn corners(triangles: &[Triangle]) -> impl Iterator<Item = [DVec3; 3]> + '_ {
 }
 
 #[test]
-fn merged_triangles_are_the_scenes_on_the_grid_up_to_eight_kilometres() {
+fn merged_triangles_equal_those_of_the_scene_rounded_to_the_grid_up_to_eight_kilometres() {
     for seed in 0..6 {
         let parts = (0..4).map(|i| instance(&plain_mesh(10 * seed + i, 60), pose(seed + i, 8000.0), 0)).collect();
         let scene = scene(parts, vec![]);
@@ -280,7 +283,8 @@ fn moving_objects_are_nodes_with_names() {
 
 #[test]
 fn faces_are_oriented_to_their_normals() {
-    // Faces with normals, with one normal missing, without normals. The first two list their corners clockwise.
+    // Faces whose corners lack one, two and all three normals. All list their corners clockwise as seen from +z: the
+    // first two are turned to their normals, the third stays as it is.
     let positions = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0], [0.0, 2.0, 0.0]];
     let up = [0.0, 0.0, 1.0];
     let normals = vec![up, up, [0.0; 3], [0.0; 3], [0.0; 3]];

@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 use bytemuck::Zeroable;
 use rayon::prelude::*;
 
-use super::super::select::{COLUMNS, EyeSizes, HIDDEN, Model, Objects, OpenSizes, Sight, TILE, ThresholdLine};
+use super::super::select::{CHUNK, COLUMNS, EyeSizes, HIDDEN, Model, Objects, OpenSizes, Sight, ThresholdLine};
 use super::hull::RatedModel;
 use crate::base::error::number;
 use crate::base::memory::try_vec;
@@ -75,8 +75,8 @@ pub(super) struct ObjectSizes {
     pub threshold: Vec<f64>,
 }
 
-/// Columns of a tile.
-struct SizeTile<'a> {
+/// Columns of a chunk.
+struct SizeChunk<'a> {
     first: usize,
     curve_size: &'a mut [f64],
     /// σ, σ′, σ′/pixel² and f(σ).
@@ -91,17 +91,17 @@ impl ObjectSizes {
         let mut curve_size = column(true)?;
         let [sigma, displayed, pixels, threshold] = requested.map(column);
         let mut optional = [sigma?, displayed?, pixels?, threshold?];
-        let mut chunks = optional.each_mut().map(|column| column.chunks_mut(TILE));
-        let tile = |(number, curve_size)| {
-            let optional = chunks.each_mut().map(|chunks| chunks.next().unwrap_or_default());
-            SizeTile { first: number * TILE, curve_size, optional }
+        let mut parts = optional.each_mut().map(|column| column.chunks_mut(CHUNK));
+        let chunk = |(number, curve_size)| {
+            let optional = parts.each_mut().map(|part| part.next().unwrap_or_default());
+            SizeChunk { first: number * CHUNK, curve_size, optional }
         };
-        let tiles: Vec<_> = curve_size.chunks_mut(TILE).enumerate().map(tile).collect();
+        let chunks: Vec<_> = curve_size.chunks_mut(CHUNK).enumerate().map(chunk).collect();
         let scratch = || (Box::new(Sight::zeroed()), Box::new(OpenSizes::zeroed()));
-        let see = |(sight, open): &mut (Box<Sight>, Box<OpenSizes>), tile: SizeTile<'_>| {
-            progress.check().and_then(|()| input.write_sizes(sight, open, tile))
+        let see = |(sight, open): &mut (Box<Sight>, Box<OpenSizes>), chunk: SizeChunk<'_>| {
+            progress.check().and_then(|()| input.write_sizes(sight, open, chunk))
         };
-        tiles.into_par_iter().try_for_each_init(scratch, see)?;
+        chunks.into_par_iter().try_for_each_init(scratch, see)?;
         let [sigma, displayed, pixels, threshold] = optional;
         Ok(Self { curve_size, sigma, displayed, pixels, threshold })
     }
@@ -128,15 +128,15 @@ impl ObjectSizes {
 }
 
 impl SizeInput<'_> {
-    fn write_sizes(&self, sight: &mut Sight, open: &mut OpenSizes, tile: SizeTile<'_>) -> Result<()> {
-        let SizeTile { first, curve_size, optional: [sigma, displayed, pixels, threshold] } = tile;
+    fn write_sizes(&self, sight: &mut Sight, open: &mut OpenSizes, chunk: SizeChunk<'_>) -> Result<()> {
+        let SizeChunk { first, curve_size, optional: [sigma, displayed, pixels, threshold] } = chunk;
         let objects = self.objects.part(first..first + curve_size.len());
         objects.check(self.models, first)?;
         for (number, eye) in self.eyes.eyes.iter().enumerate() {
             eye.view.see(objects.centers, objects.radii, first, self.cull, sight)?;
             let mut count = 0;
             for n in 0..curve_size.len() {
-                open.place[count % TILE] = n as u16;
+                open.place[count % CHUNK] = n as u16;
                 count += usize::from(sight.sigma[n] != HIDDEN);
             }
             self.eyes.write_sizes(number, &objects, sight, open, count, f64::INFINITY);

@@ -8,15 +8,15 @@ mod objects;
 mod rules;
 mod sizes;
 mod table;
-mod tile;
+mod chunk;
 mod view;
 
+pub use chunk::select;
 pub(super) use curves::score;
 pub use curves::{Model, Parameters};
-pub(super) use objects::TILE;
+pub(super) use objects::CHUNK;
 pub use objects::{COLUMNS, Objects, SelectionCounts};
 pub use rules::{Acuity, Apparent, EyeLens, Rules, SizeLimit, ThresholdLine};
 pub(super) use sizes::{EyeSizes, OpenSizes};
-pub use tile::select;
 pub use view::{Eye, Frustum};
 pub(super) use view::{HIDDEN, Sight};

@@ -6,7 +6,7 @@ use super::curves::Model;
 use crate::base::{Error, Result, ensure};
 
 /// Number of objects in one task; their data fits into a fast cache.
-pub(crate) const TILE: usize = 1 << 9;
+pub(crate) const CHUNK: usize = 1 << 9;
 
 /// Arrays of objects, with one entry per object.
 #[derive(Clone, Copy, Debug)]

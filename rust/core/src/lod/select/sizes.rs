@@ -6,7 +6,7 @@ use bytemuck::Zeroable;
 use glam::DVec3;
 
 use super::curves::Model;
-use super::objects::{Objects, TILE};
+use super::objects::{CHUNK, Objects};
 use super::rules::{Acuity, Apparent, EyeLens};
 use super::view::{Eye, Sight};
 use crate::lens::{Magnification, SPHERES_PER_BLOCK, Sizes, Spheres};
@@ -25,25 +25,25 @@ enum PixelAreas {
     OfModels(Vec<f64>),
 }
 
-/// Sizes of a tile's open objects, in consecutive entries.
+/// Sizes of a chunk's open objects, in consecutive entries.
 #[derive(Zeroable)]
 pub(crate) struct OpenSizes {
-    /// Indices of the objects in the tile.
-    pub place: [u16; TILE],
+    /// Indices of the objects in the chunk.
+    pub place: [u16; CHUNK],
     /// σ
-    pub sigma: [f64; TILE],
+    pub sigma: [f64; CHUNK],
     /// σ′, the displayed size.
-    pub displayed: [f64; TILE],
+    pub displayed: [f64; CHUNK],
     /// Size at which curves are evaluated: σ′ in pixels of the model; +∞ if σ′ exceeds its limit.
-    pub curve_size: [f64; TILE],
-    angles: [[f64; TILE]; 4],
-    factor: [f64; TILE],
+    pub curve_size: [f64; CHUNK],
+    angles: [[f64; CHUNK]; 4],
+    factor: [f64; CHUNK],
 }
 
 /// Copies the values at some indices into consecutive entries.
-fn gather(from: &[f64; TILE], places: &[u16], to: &mut [f64; TILE]) {
+fn gather(from: &[f64; CHUNK], places: &[u16], to: &mut [f64; CHUNK]) {
     for (to, &place) in to.iter_mut().zip(places) {
-        *to = from[usize::from(place) % TILE];
+        *to = from[usize::from(place) % CHUNK];
     }
 }
 
@@ -64,7 +64,7 @@ impl<'a> EyeSizes<'a> {
         !matches!(self.apparent, Apparent::Own)
     }
 
-    /// Computes the sizes of the first `len` open objects of a tile for an eye; +∞ for curves if σ′ exceeds the limit.
+    /// Computes the sizes of the first `len` open objects of a chunk for an eye; +∞ for curves if σ′ exceeds the limit.
     pub fn write_sizes(
         &self,
         eye: usize,
@@ -113,7 +113,7 @@ impl EyeLens<'_> {
     /// Replaces σ by σ′, the size through the lens.
     fn apply(&self, eye: &Eye, objects: &Objects<'_>, sight: &Sight, open: &mut OpenSizes, count: usize) {
         if self.exact {
-            let (mut centers, mut radii) = ([[0.0; 3]; TILE], [0.0; TILE]);
+            let (mut centers, mut radii) = ([[0.0; 3]; CHUNK], [0.0; CHUNK]);
             for (k, &n) in open.place[..count].iter().enumerate() {
                 (centers[k], radii[k]) = (objects.centers[usize::from(n)], objects.radii[usize::from(n)]);
             }
@@ -171,9 +171,9 @@ fn apply_panel(lens: Option<&EyeLens<'_>>, corner: f64, sight: &Sight, open: &mu
 }
 
 /// Writes tan α of centres, at most `limit`, also for centres beside or behind the eye; pads the last block with 0.
-fn tangents(sight: &Sight, places: &[u16], limit: f64, to: &mut [f64; TILE]) {
+fn tangents(sight: &Sight, places: &[u16], limit: f64, to: &mut [f64; CHUNK]) {
     for (to, &place) in to.iter_mut().zip(places) {
-        let n = usize::from(place) % TILE;
+        let n = usize::from(place) % CHUNK;
         let tangent = sight.sin_alpha[n] / sight.cos_alpha[n];
         *to = if sight.cos_alpha[n] > 0.0 && tangent < limit { tangent } else { limit };
     }

@@ -6,7 +6,7 @@ use rayon::prelude::*;
 
 use super::super::elementary::exp;
 use super::curves::{Model, Parameters, score};
-use super::objects::TILE;
+use super::objects::CHUNK;
 use super::rules::{Rules, ThresholdLine};
 
 /// log₂ of the number of cells over σ, which have equal widths because f is linear.
@@ -70,7 +70,14 @@ impl Tables {
 
     /// Looks up the level of each open object for (σ, σ′), with the bit UNSURE if a finer level may be correct.
     #[inline(never)]
-    pub fn look_up(&self, model: &[i64], places: &[u16], sigma: &[f64; TILE], size: &[f64; TILE], to: &mut [u8; TILE]) {
+    pub fn look_up(
+        &self,
+        model: &[i64],
+        places: &[u16],
+        sigma: &[f64; CHUNK],
+        size: &[f64; CHUNK],
+        to: &mut [u8; CHUNK],
+    ) {
         let (heads, cells) = (&self.heads[..], &self.cells[..]);
         for (((&place, &sigma), &size), to) in places.iter().zip(sigma).zip(size).zip(to) {
             let Head { fineness, least, greatest, first, base, last } = heads[model[usize::from(place)] as usize];

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use bytemuck::Zeroable;
 use glam::{DMat3, DVec3};
 
-use super::objects::TILE;
+use super::objects::CHUNK;
 use super::rules::Acuity;
 use crate::base::Result;
 use crate::base::simd::vectorized;
@@ -55,7 +55,7 @@ impl Frustum {
         DVec3::from_array(self.axes[2])
     }
 
-    /// Writes the visibility, size and angles of a tile of spheres; `first` is the index of its first sphere. If
+    /// Writes the visibility, size and angles of a chunk of spheres; `first` is the index of its first sphere. If
     /// `cull`, spheres outside the view get the size HIDDEN. Spheres around the eye get 4π.
     pub(crate) fn see(
         &self,
@@ -106,17 +106,17 @@ pub struct Eye {
     pub pixel: f64,
 }
 
-/// Visibility, sizes and angles of a tile of spheres.
+/// Visibility, sizes and angles of a chunk of spheres.
 #[derive(Debug, Zeroable)]
 pub(crate) struct Sight {
     /// σ in steradians: HIDDEN outside the view, 4π around the eye.
-    pub sigma: [f64; TILE],
-    pub sin_alpha: [f64; TILE],
-    pub cos_alpha: [f64; TILE],
-    pub sin_mu: [f64; TILE],
-    pub cos_mu: [f64; TILE],
+    pub sigma: [f64; CHUNK],
+    pub sin_alpha: [f64; CHUNK],
+    pub cos_alpha: [f64; CHUNK],
+    pub sin_mu: [f64; CHUNK],
+    pub cos_mu: [f64; CHUNK],
     /// 1 if squares overflow or underflow, or the sphere is invalid; otherwise 0.
-    imprecise: [f64; TILE],
+    imprecise: [f64; CHUNK],
 }
 
 vectorized! {

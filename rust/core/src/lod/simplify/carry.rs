@@ -2,7 +2,7 @@
 //!
 //! For each corner of the coarser surface, a walk over the base's faces finds the nearest point. The walk starts at the
 //! face below the middle of the corner's triangle, and moves between faces that share vertices. Vertices with different
-//! attributes are distinct, so a walk never crosses a seam, even if both its sides belong to one chart.
+//! attributes are distinct, so a walk never crosses a seam, even if the seam lies inside one UV chart.
 
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
@@ -13,13 +13,14 @@ use crate::base::{Progress, Result, ensure};
 use crate::trace::{Closest, closest};
 
 /// Number of triangles in one task.
-const TILE: usize = 1024;
-/// Maximum number of faces of the second ring that are tested if the first ring has no nearer face.
+const CHUNK: usize = 1024;
+/// If the first ring has no nearer face: maximum number of vertices collected around it, and of faces around them that
+/// are tested.
 const MAX_SECOND_RING: usize = 256;
 
-/// A surface whose faces are connected by vertices with equal attributes.
+/// A surface whose faces are connected where they share vertices, which have one position and one set of attributes.
 #[derive(Debug)]
-pub struct Charts<'a> {
+pub struct ConnectedSurface<'a> {
     positions: &'a [[f32; 3]],
     faces: &'a [[u32; 3]],
     /// Index in `vertex_faces` of each vertex's first face; the last entry is the length of `vertex_faces`.
@@ -37,8 +38,8 @@ pub struct SurfacePlace {
     pub weights: [f64; 2],
 }
 
-impl<'a> Charts<'a> {
-    /// Creates the charts; fails if a face refers to a missing vertex.
+impl<'a> ConnectedSurface<'a> {
+    /// Connects the faces; fails if a face refers to a missing vertex.
     pub fn new(positions: &'a [[f32; 3]], faces: &'a [[u32; 3]]) -> Result<Self> {
         check_faces(faces, positions.len())?;
         let mut starts = try_vec(0u32, positions.len() + 1)?;
@@ -108,8 +109,8 @@ impl<'a> Charts<'a> {
         }
     }
 
-    /// Returns the base's point for each corner of triangles, which have the same origin as the base. `starts` are the
-    /// faces at which the walks of each triangle begin.
+    /// Returns the base's point for each corner of triangles, given in the base's coordinates. `starts` are the faces at
+    /// which the walks of each triangle begin.
     pub fn places(
         &self,
         corners: &[[[f32; 3]; 3]],
@@ -120,8 +121,8 @@ impl<'a> Charts<'a> {
         ensure!(has_starts, "starts", format!("a face for each of {} triangles", corners.len()), starts.len());
         progress.expect(corners.len() as u64);
         let mut places = try_vec([SurfacePlace::default(); 3], corners.len())?;
-        let tiles = places.par_chunks_mut(TILE).zip(corners.par_chunks(TILE)).zip(starts.par_chunks(TILE));
-        tiles.try_for_each(|((places, corners), starts)| {
+        let chunks = places.par_chunks_mut(CHUNK).zip(corners.par_chunks(CHUNK)).zip(starts.par_chunks(CHUNK));
+        chunks.try_for_each(|((places, corners), starts)| {
             let mut outline = Vec::new();
             for ((places, corners), &start) in places.iter_mut().zip(corners).zip(starts) {
                 *places = corners.map(|corner| self.walk(start, Vec3::from_array(corner).as_dvec3(), &mut outline));
@@ -151,9 +152,9 @@ mod tests {
                 }
             }
         }
-        let charts = Charts::new(&positions, &faces).unwrap();
+        let surface = ConnectedSurface::new(&positions, &faces).unwrap();
         let goal = [17.25, 0.5, 1.5];
-        let found = charts.places(&[[goal; 3], [goal; 3]], &[0, 40], &Progress::new()).unwrap();
+        let found = surface.places(&[[goal; 3], [goal; 3]], &[0, 40], &Progress::new()).unwrap();
         for (places, z) in found.iter().zip([1.0, 1.5]) {
             for place in places {
                 let [a, b, c] = faces[place.face as usize].map(|v| Vec3::from_array(positions[v as usize]).as_dvec3());
@@ -161,6 +162,6 @@ mod tests {
                 assert!((point - DVec3::new(17.25, 0.0, z)).length() < 1e-12, "{point}");
             }
         }
-        assert!(charts.places(&[[goal; 3]], &[80], &Progress::new()).is_err());
+        assert!(surface.places(&[[goal; 3]], &[80], &Progress::new()).is_err());
     }
 }

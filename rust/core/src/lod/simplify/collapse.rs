@@ -23,8 +23,8 @@ pub struct Vertices<'a> {
     pub attributes: &'a [f32],
     /// Error of an attribute difference of 1, relative to the surface's extent.
     pub weights: &'a [f32],
-    /// Whether attributes meet at the vertex's position and must stay separate there.
-    pub is_seam: &'a [bool],
+    /// Whether the vertex lies on a seam that must be kept: vertices with other attributes share its position.
+    pub is_protected: &'a [bool],
 }
 
 /// Features that may be removed for fewer triangles. Edge collapses may remove closed parts in any case.
@@ -32,7 +32,7 @@ pub struct Vertices<'a> {
 pub enum Allowance {
     /// No features.
     Nothing,
-    /// Seams at vertices whose `is_seam` is false.
+    /// Attribute seams, except at protected vertices.
     Seams,
     /// Seams, and disconnected parts that cannot be collapsed, such as those with all corners on seams, smallest first.
     Parts,
@@ -48,7 +48,7 @@ pub fn collapse(
     let count = vertices.positions.len();
     check_faces(faces, count)?;
     let width = vertices.weights.len();
-    let is_complete = [vertices.attributes.len(), vertices.is_seam.len()] == [count * width, count];
+    let is_complete = [vertices.attributes.len(), vertices.is_protected.len()] == [count * width, count];
     let is_complete = is_complete && width <= MAX_ATTRIBUTES;
     ensure!(is_complete, "attributes", format!("{width} for each of {count} vertices"), vertices.attributes.len());
     let is_finite = vertices.positions.as_flattened().iter().chain(vertices.attributes).all(|x| x.is_finite());
@@ -63,8 +63,8 @@ pub fn collapse(
     room_for(of_face * faces.len() as u64 + (of_vertex + of_attribute * width as u64) * count as u64)?;
     let adapter = VertexDataAdapter::new(bytemuck::cast_slice(vertices.positions), size_of::<[f32; 3]>(), 0)
         .map_err(|error| Error::value("vertices", "positions", error))?;
-    let flag = |&seam: &bool| if seam { SimplifyVertex::Protect } else { SimplifyVertex::None };
-    let locks: Vec<SimplifyVertex> = vertices.is_seam.iter().map(flag).collect();
+    let flag = |&is_protected: &bool| if is_protected { SimplifyVertex::Protect } else { SimplifyVertex::None };
+    let locks: Vec<SimplifyVertex> = vertices.is_protected.iter().map(flag).collect();
     let options = match allowance {
         Allowance::Nothing => SimplifyOptions::None,
         Allowance::Seams => SimplifyOptions::Permissive,
@@ -94,8 +94,12 @@ mod tests {
     fn invalid_weights_are_refused() {
         let positions = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
         for weight in [-1.0, f32::NAN, f32::INFINITY] {
-            let vertices =
-                Vertices { positions: &positions, attributes: &[0.0; 3], weights: &[weight], is_seam: &[false; 3] };
+            let vertices = Vertices {
+                positions: &positions,
+                attributes: &[0.0; 3],
+                weights: &[weight],
+                is_protected: &[false; 3],
+            };
             let error = collapse(vertices, &[[0, 1, 2]; 2], 1, Allowance::Nothing).unwrap_err();
             assert!(error.to_string().starts_with("weights: expected finite numbers of at least 0"), "{error}");
         }
@@ -112,14 +116,14 @@ mod tests {
                 faces.extend([[a, a + side, a + 1], [a + 1, a + side, a + side + 1]]);
             }
         }
-        let is_seam = vec![false; positions.len()];
-        let vertices = Vertices { positions: &positions, attributes: &[], weights: &[], is_seam: &is_seam };
+        let is_protected = vec![false; positions.len()];
+        let vertices = Vertices { positions: &positions, attributes: &[], weights: &[], is_protected: &is_protected };
         let (found, error) = collapse(vertices, &faces, 2, Allowance::Nothing).unwrap();
         // meshoptimizer's quadrics are float32: the rounding of their root is 2⁻¹² of the extent.
         assert!(found.len() == 2 && error < 1e-3, "{} {error}", found.len());
         let corners = [0, side - 1, side * (side - 1), side * side - 1];
         assert!(corners.iter().all(|corner| found.as_flattened().contains(corner)));
         assert_eq!(collapse(vertices, &faces, faces.len(), Allowance::Nothing).unwrap().0, faces);
-        assert!(collapse(Vertices { is_seam: &[], ..vertices }, &faces, 2, Allowance::Nothing).is_err());
+        assert!(collapse(Vertices { is_protected: &[], ..vertices }, &faces, 2, Allowance::Nothing).is_err());
     }
 }

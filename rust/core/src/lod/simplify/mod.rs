@@ -4,6 +4,6 @@ mod carry;
 mod collapse;
 mod surface;
 
-pub use carry::{Charts, SurfacePlace};
+pub use carry::{ConnectedSurface, SurfacePlace};
 pub use collapse::{Allowance, Vertices, collapse};
 pub use surface::{first_alike, pieces};

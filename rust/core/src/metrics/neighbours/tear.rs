@@ -23,19 +23,19 @@ const COLLINEAR_SPREAD: f64 = 1e-9;
 /// Per-pixel flags that select pixels and mark the border.
 #[derive(Clone, Copy, Default)]
 pub struct Border<'a> {
-    /// Side of the border that each pixel's surface lies on.
+    /// Side of a border that each pixel's surface lies on, such as whether ρ > r₂.
     pub side: Option<&'a [bool]>,
     /// Pixels to compute; by default all.
-    pub wanted: Option<&'a [bool]>,
+    pub mask: Option<&'a [bool]>,
 }
 
 /// Tears of a frame's pixels.
 pub struct Tears {
-    /// Tear in pixels, rows of the frame's width; NaN for pixels that are not wanted, without a surface, behind the
+    /// Tear in pixels, rows of the frame's width; NaN for pixels outside the mask, without a surface, behind the
     /// truth's camera, or without neighbours.
     pub tear: Vec<f32>,
-    /// Whether a pixel's neighbourhood lies on both sides; empty if no sides were given.
-    pub parted: Vec<bool>,
+    /// Whether a pixel's neighbourhood has surfaces on both sides of the border; empty if no sides were given.
+    pub spans_sides: Vec<bool>,
 }
 
 /// Computes the tear of each pixel of a frame. Positions are relative to `origin`; ε is in pixels of the truth.
@@ -64,7 +64,7 @@ pub fn tear(
         for from in own.clone().step_by(REPORTED_POINTS) {
             let source = from..own.end.min(from + REPORTED_POINTS);
             progress.report(source.len() as u64)?;
-            gather(&points, &sides, border.wanted, source, &targets, epsilon as f32, &mut moments);
+            gather(&points, &sides, border.mask, source, &targets, epsilon as f32, &mut moments);
         }
         Ok(moments)
     };
@@ -72,15 +72,15 @@ pub fn tear(
         (0..points.bands.len()).into_par_iter().map(band_moments).collect::<Result<_>>()?;
     let mut tears = Tears {
         tear: try_vec(f32::NAN, position.len())?,
-        parted: try_vec(false, if border.side.is_some() { position.len() } else { 0 })?,
+        spans_sides: try_vec(false, if border.side.is_some() { position.len() } else { 0 })?,
     };
     for (n, moments) in moments.iter().flatten().enumerate() {
         let pixel = points.pixel[n] as usize;
         if moments.count > 1.0 {
             tears.tear[pixel] = (moments.residual() / UNIT_STEP) as f32;
         }
-        if let Some(parted) = tears.parted.get_mut(pixel) {
-            *parted = moments.side > 0.0 && moments.side < moments.count;
+        if let Some(spans_sides) = tears.spans_sides.get_mut(pixel) {
+            *spans_sides = moments.side > 0.0 && moments.side < moments.count;
         }
     }
     Ok(tears)
@@ -90,7 +90,7 @@ vectorized! {
     fn gather(
         points: &TruthPoints,
         sides: &[f32],
-        wanted: Option<&[bool]>,
+        mask: Option<&[bool]>,
         source: Range<usize>,
         targets: &[Target],
         epsilon: f32,
@@ -103,14 +103,14 @@ vectorized! {
 fn moments_kernel<const FUSED: bool>(
     points: &TruthPoints,
     sides: &[f32],
-    wanted: Option<&[bool]>,
+    mask: Option<&[bool]>,
     source: Range<usize>,
     targets: &[Target],
     epsilon: f32,
     moments: &mut Vec<Moments>,
 ) {
     for n in source {
-        if wanted.is_some_and(|wanted| !wanted[points.pixel[n] as usize]) {
+        if mask.is_some_and(|mask| !mask[points.pixel[n] as usize]) {
             moments.push(Moments::default());
             continue;
         }

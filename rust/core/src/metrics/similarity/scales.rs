@@ -150,7 +150,7 @@ fn compare_whole_windows<P: PixelRows>(
         let got = format!("{} × {} at one of them", size[0], size[1]);
         ensure!(size[0].min(size[1]) >= min_size, "reference", expected, got);
     }
-    let selection = Selection { all: false, mask: None, contrast: true, range, progress };
+    let selection = Selection { includes_border: false, mask: None, contrast: true, range, progress };
     similarity(pair, window, constants, selection, None)
 }
 

@@ -51,14 +51,14 @@ fn by_definition(
 
 proptest! {
     #[test]
-    fn random_images_equal_the_definition((a, b, size, taps, mask) in images(), uniform: bool, hidden: bool) {
+    fn random_images_equal_the_definition((a, b, size, taps, mask) in images(), uniform: bool, masks_windows: bool) {
         let [height, width] = size;
         let window = if uniform { Window::uniform(taps) } else { Window::gaussian(taps, 1.5) };
         let Window::Weights(weights) = &window else { unreachable!() };
         let narrow: Vec<[f32; 2]> = a.iter().zip(&b).map(|(&a, &b)| [a as f32, b as f32]).collect();
         let (a32, b32): (Vec<f32>, Vec<f32>) = narrow.iter().map(|&[a, b]| (a, b)).unzip();
         let mask_plane = Plane::new(&mask, size, [width, 1]).unwrap();
-        let selection = Selection { all: true, mask: hidden.then_some(Mask::Windows(mask_plane)), contrast: false, range: false, progress: &Progress::new() };
+        let selection = Selection { includes_border: true, mask: masks_windows.then_some(Mask::Windows(mask_plane)), contrast: false, range: false, progress: &Progress::new() };
         let (mut map, mut map32) = (vec![0.0; height * width], vec![0.0f32; height * width]);
         let pair = |a, b| Pair::new(Plane::new(a, size, [width, 1]).unwrap(), Plane::new(b, size, [width, 1]).unwrap());
         let sums = similarity(&pair(&a, &b).unwrap(), &window, CONSTANTS, selection, Some(&mut map)).unwrap();
@@ -66,8 +66,8 @@ proptest! {
         let pair32 = Pair::new(Plane::new(&a32, size, steps).unwrap(), Plane::new(&b32, size, steps).unwrap()).unwrap();
         similarity(&pair32, &window, CONSTANTS, selection, Some(&mut map32)).unwrap();
         let mut total = 0.0;
-        for n in (0..height * width).filter(|&n| !hidden || mask[n] != 0) {
-            let expected = by_definition([&a, &b], size, weights, (n / width, n % width), hidden.then_some(&mask));
+        for n in (0..height * width).filter(|&n| !masks_windows || mask[n] != 0) {
+            let expected = by_definition([&a, &b], size, weights, (n / width, n % width), masks_windows.then_some(&mask));
             prop_assert!((map[n] - expected).abs() < 1e-11, "{} {expected}", map[n]);
             prop_assert!((f64::from(map32[n]) - expected).abs() < 1e-5 * f64::from(map32[n]).abs().max(1.0));
             total += expected;
@@ -115,8 +115,13 @@ fn equal_images_are_exactly_alike_and_order_does_not_matter() {
             let mut map = vec![0.0; 35];
             let [a, b] = [a, b].map(|values| Plane::new(values, [5, 7], [7, 1]).unwrap());
             let pair = Pair::new(a, b).unwrap();
-            let selection =
-                Selection { all: true, mask: None, contrast: true, range: true, progress: &Progress::new() };
+            let selection = Selection {
+                includes_border: true,
+                mask: None,
+                contrast: true,
+                range: true,
+                progress: &Progress::new(),
+            };
             let sums = similarity(&pair, &window, CONSTANTS, selection, Some(&mut map)).unwrap();
             assert_eq!(sums, similarity(&pair, &window, CONSTANTS, selection, None).unwrap());
             (sums, map)

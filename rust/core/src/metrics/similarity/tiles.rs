@@ -34,7 +34,7 @@ impl<'a, P: PixelRows> Windows<'a, P> {
         let narrow_weights = weights.iter().map(|&w| P::Real::narrow(w)).collect();
         let (height, width, taps) = (pair.reference.height, pair.reference.width, weights.len());
         let (before, after) = (taps / 2, taps - 1 - taps / 2);
-        let inside = if selection.all || height < taps || width < taps {
+        let inside = if selection.includes_border || height < taps || width < taps {
             Region { rows: [0, height], columns: [0, width] }
         } else {
             Region { rows: [before, height - after], columns: [before, width - after] }

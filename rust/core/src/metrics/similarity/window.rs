@@ -77,8 +77,8 @@ impl SimilaritySums {
 /// Selection of windows: those inside the image or all, restricted to a mask if there is one.
 #[derive(Clone, Copy)]
 pub struct Selection<'a> {
-    /// Whether windows that extend beyond the image count too.
-    pub all: bool,
+    /// Whether to include windows across the image's border.
+    pub includes_border: bool,
     /// Mask of the image's size; non-zero values select pixels.
     pub mask: Option<Mask<'a>>,
     /// Whether to sum the contrast factor.

@@ -21,11 +21,11 @@ const TILE: i32 = 256;
 /// Maximum width and height of a tile, pixels, so that several threads share even a small picture.
 const MAX_PIXELS: i32 = 128;
 
-/// A box of a view's blocks that lies in the picture.
+/// A part of a view, culled together: some blocks whose bounding box intersects the picture.
 pub(super) struct Part<'a> {
     view: &'a PreparedView<'a>,
-    /// Number of the view.
-    pub number: u32,
+    /// Index of the view in the picture.
+    pub view_index: u32,
     pub contents: &'a BoxOfBlocks,
     pub bounds: ScreenBounds,
     is_drawn: AtomicBool,
@@ -38,7 +38,7 @@ pub fn draw(views: &[&Splats], picture: &Picture<'_>, progress: &Progress) -> Re
     let projected = AtomicU64::new(0);
     let resolver = Resolver::new(&prepared);
     let mut frame = Frame::new(picture.channels, picture.pixel_count())?;
-    // Images of all tiles, before they are copied.
+    // The images exist twice for a moment, by tile and in `frame`: check that this fits into memory.
     picture.channels.check_room(picture.pixel_count() as u64)?;
     let tiles = Rect::of_camera(picture.camera).tiles((TILE / picture.grid as i32).min(MAX_PIXELS));
     progress.expect(tiles.len() as u64);
@@ -74,7 +74,7 @@ pub(super) fn parts_of<'a>(prepared: &'a PreparedPicture<'a>) -> Result<Vec<Part
     let parts_of_view = |(number, view): (usize, &'a PreparedView<'a>)| {
         view.splats.boxes.iter().filter_map(move |contents| {
             let bounds = view.projection.project_extent(&contents.extent, picture)?;
-            let part = Part { view, number: number as u32, contents, bounds, is_drawn: AtomicBool::new(false) };
+            let part = Part { view, view_index: number as u32, contents, bounds, is_drawn: AtomicBool::new(false) };
             (!part.bounds.rect.is_empty()).then_some(part)
         })
     };

@@ -22,9 +22,9 @@ pub(super) const SEVERAL_PIXELS: i32 = -2;
 /// Constants of all splats of a view.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Constants {
-    /// Changes of the projector's functions per column, row and depth step.
+    /// Changes of the projector's X, Y, W per column, row and depth step.
     pub steps: [[f32; 3]; 3],
-    /// Gradients of the projector, times the ratio of a ball's radius to an ellipse's.
+    /// Gradients of X, Y, W by world position, scaled by (radius of a ball) / (radius of a surfel's ellipse).
     pub gradients: [[f32; 3]; 3],
     /// Axes of the view; right and up in depth steps per pixel.
     pub axes: [[f32; 3]; 3],
@@ -68,7 +68,7 @@ pub(super) struct Lanes {
     pub last: [Lane<i32>; 2],
     /// Index of the centre's key if only that pixel shows the splat, as for most; else `HIDDEN` or `SEVERAL_PIXELS`.
     pub slot: Lane<i32>,
-    /// Order part of that key.
+    /// Nearness in that key, as a sortable integer.
     pub order: Lane<u32>,
     column: Lane,
     row: Lane,
@@ -123,8 +123,8 @@ impl Lanes {
         }
     }
 
-    /// Projects the loaded splats to a part of the screen with `pitch` keys per row; `start` has the projector's
-    /// functions at the centre of the block's first pixel, half a step before the front.
+    /// Projects the loaded splats to a part of the screen with `pitch` keys per row; `start` has X, Y, W at the centre
+    /// of the block's first pixel, half a depth step in front of depth 0.
     pub fn project(&mut self, count: usize, start: [f32; 3], constants: &Constants, rect: &Rect, pitch: i32) {
         let groups = count.div_ceil(GROUP);
         if constants.is_parallel {

@@ -19,6 +19,6 @@ pub use blend::{Placed, blended, expected};
 pub use compressed::{Compressed, HEAD};
 pub use draw::draw;
 pub use picture::{Counts, Picture};
-pub use plan::{Found, LANE_BITS, Piece, Plan, Rays, ViewNumbers};
+pub use plan::{Found, LANE_BITS, Piece, Plan, Rays, ViewUniforms};
 pub(super) use projector::Projector;
 pub use splats::{BORDER, MIN_COSINE, SQUARED_RADIUS, Splats};

@@ -36,9 +36,9 @@ pub struct Picture<'a> {
 pub struct Counts {
     /// Splats of all views.
     pub total: u64,
-    /// Splats of boxes that intersect the picture.
+    /// Splats of parts whose bounding boxes intersect the picture.
     pub in_picture: u64,
-    /// Splats of boxes that are not hidden.
+    /// Splats of parts that are not hidden.
     pub seen: u64,
     /// Projected splats, counted once per screen tile.
     pub projected: u64,

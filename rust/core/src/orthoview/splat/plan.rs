@@ -33,16 +33,17 @@ pub const LANE_BITS: u32 = 6;
 /// A view relative to a camera, in the shader's layout.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
-pub struct ViewNumbers {
-    /// Changes of the projector's functions per column, row and depth step.
+pub struct ViewUniforms {
+    /// Changes of (X, Y, W), the homogeneous screen position of `Projector`, per column, row and depth step.
     pub steps: [[f32; 4]; 3],
-    /// Gradients of the projector, times the ratio of a ball's radius to an ellipse's.
+    /// Gradients of X, Y, W by world position, scaled by (radius of a ball) / (radius of a surfel's ellipse).
     pub gradients: [[f32; 4]; 3],
     /// Axes of the view; right and up in depth steps per pixel.
     pub axes: [[f32; 4]; 3],
     /// Scale of a normal's components to −1 … 1, and the minimum visible distance.
     pub rest: [f32; 4],
-    /// Number of its first block among those of all views, and three numbers for the location of its words on the GPU.
+    /// Number of its first block among those of all views. The GPU crate fills in the others: the buffer of the view's
+    /// packed splats, and the first words of their headers and bits there.
     pub place: [u32; 4],
 }
 
@@ -50,15 +51,15 @@ pub struct ViewNumbers {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct Piece {
-    /// Functions of the projector at the centre of the pixel `corner`, half a step before the front.
+    /// (X, Y, W) at the centre of the pixel `corner`, half a depth step in front of depth 0.
     pub start: [f32; 3],
-    /// Nearness of the nearest point, encoded like the order of a key.
-    pub order: u32,
+    /// 1/W of the nearest point (−W for parallel rays) as a sortable integer, as in `Key`.
+    pub nearness_bits: u32,
     /// First column and row of the image rectangle in which it is drawn.
     pub low: [i32; 2],
     /// End column and row of this rectangle.
     pub high: [i32; 2],
-    /// Column and row of a pixel of the view.
+    /// Column and row in the view of the first block's first pixel.
     pub corner: [u32; 2],
     /// Number of the view.
     pub view: u32,
@@ -93,10 +94,10 @@ impl Rays {
 /// A picture of views, ready to be drawn by a shader.
 pub struct Plan<'a> {
     prepared: PreparedPicture<'a>,
-    /// Number of splats of boxes that intersect the picture.
+    /// Number of splats of those parts of the views whose bounding boxes intersect the picture.
     in_picture: u64,
     /// Shader input for each view.
-    pub views: Vec<ViewNumbers>,
+    pub views: Vec<ViewUniforms>,
     /// Pieces, the nearest first.
     pub pieces: Vec<Piece>,
     /// Rays of the samples.
@@ -108,10 +109,11 @@ pub struct Plan<'a> {
 pub struct Found<'a> {
     /// Mean colour of the samples, and fraction of those that show a splat.
     pub colors: &'a [[f32; 4]],
-    /// Bit masks, row by row, of the samples that show `before`.
-    pub others: &'a [[u32; 2]],
-    /// Keys of the pixels' centres: complement of (block number among all views, position in it), and the order.
-    pub middles: &'a [[u32; 2]],
+    /// For each pixel, a bit mask of its samples, row by row, at which `Picture::before`, drawn earlier, is in front.
+    pub before_masks: &'a [[u32; 2]],
+    /// For each pixel, the key of its centre: `!(block << LANE_BITS | position in the block)`, with the block's number
+    /// among all views, and the nearness as a sortable integer. The greatest key wins, so splats are complemented.
+    pub center_keys: &'a [[u32; 2]],
 }
 
 impl<'a> Plan<'a> {
@@ -122,12 +124,12 @@ impl<'a> Plan<'a> {
         let limit = u32::MAX >> LANE_BITS;
         ensure!(blocks < u64::from(limit), "views", format!("fewer than {limit} blocks"), blocks);
         let mut first = 0;
-        let numbers = |view: &PreparedView<'_>| {
-            let numbers = view.constants.numbers(first);
+        let uniforms = |view: &PreparedView<'_>| {
+            let uniforms = view.constants.uniforms(first);
             first += view.splats.blocks.len() as u32;
-            numbers
+            uniforms
         };
-        let (views, rays) = (prepared.views.iter().map(numbers).collect(), Rays::new(&prepared.camera));
+        let (views, rays) = (prepared.views.iter().map(uniforms).collect(), Rays::new(&prepared.camera));
         let mut plan = Self { prepared, in_picture: 0, views, pieces: vec![], rays };
         let parts = parts_of(&plan.prepared)?;
         let mut pieces = vec![];
@@ -142,21 +144,21 @@ impl<'a> Plan<'a> {
         let [first, end] = part.contents.blocks;
         let samples = self.max_samples(part);
         if samples > MAX_SAMPLES {
-            return (first..end).flat_map(|block| self.tiled_pieces(part.number, block)).collect();
+            return (first..end).flat_map(|block| self.tiled_pieces(part.view_index, block)).collect();
         }
         let count = ((MAX_SAMPLES / samples) as u32).clamp(1, PIECE);
         let starts = (first..end).step_by(count as usize);
-        starts.map(|block| self.piece(part.number, block..(block + count).min(end), &part.bounds)).collect()
+        starts.map(|block| self.piece(part.view_index, block..(block + count).min(end), &part.bounds)).collect()
     }
 
     /// Returns the pieces of a block with large splats: one for each tile of its part of the picture.
-    fn tiled_pieces(&self, number: u32, block: u32) -> Vec<Piece> {
-        let view = &self.prepared.views[number as usize];
+    fn tiled_pieces(&self, view_index: u32, block: u32) -> Vec<Piece> {
+        let view = &self.prepared.views[view_index as usize];
         let picture = Rect::of_camera(&self.prepared.camera);
         let Some(bounds) = view.projection.project_extent(&view.splats.blocks[block as usize].extent, &picture) else {
             return vec![];
         };
-        let (tiles, undivided) = (bounds.rect.tiles(TILE), self.piece(number, block..block + 1, &bounds));
+        let (tiles, undivided) = (bounds.rect.tiles(TILE), self.piece(view_index, block..block + 1, &bounds));
         let count_before = |n: usize| (u64::from(undivided.count) * n as u64 / tiles.len() as u64) as u32;
         let piece = |(n, &Rect { low, high }): (usize, &Rect)| {
             let count = count_before(n + 1) - count_before(n);
@@ -166,18 +168,18 @@ impl<'a> Plan<'a> {
     }
 
     /// Creates a piece of some blocks of a view.
-    fn piece(&self, number: u32, blocks: Range<u32>, bounds: &ScreenBounds) -> Piece {
-        let view = &self.prepared.views[number as usize];
+    fn piece(&self, view_index: u32, blocks: Range<u32>, bounds: &ScreenBounds) -> Piece {
+        let view = &self.prepared.views[view_index as usize];
         let contents = &view.splats.blocks[blocks.start as usize..blocks.end as usize];
         let corner = contents.first().map(|block| block.corner).unwrap_or_default();
         let [column, row] = corner.map(f64::from);
         Piece {
             start: view.projection.evaluate([column + 0.5, row + 0.5, -0.5]).map(|value| value as f32),
-            order: sortable_bits(bounds.nearness),
+            nearness_bits: sortable_bits(bounds.nearness),
             low: bounds.rect.low,
             high: bounds.rect.high,
             corner: corner.map(u32::from),
-            view: number,
+            view: view_index,
             blocks: blocks.start | (contents.len() as u32) << 24,
             count: contents.iter().map(|block| block.shown.count_ones()).sum(),
             unused: [0; 3],
@@ -193,7 +195,7 @@ impl<'a> Plan<'a> {
         }
         // The ellipse's axes u, v have |u|² + |v|² ≤ (x² + y²)/c² for a pixel of x × y metres and the minimum cosine c.
         let radius = f64::from(BORDER * SQUARED_RADIUS.sqrt() / MIN_COSINE);
-        let reach = radius * self.prepared.views[part.number as usize].splats.pitch().truncate().length();
+        let reach = radius * self.prepared.views[part.view_index as usize].splats.pitch().truncate().length();
         let [x, y, w] = self.prepared.projector.rows.map(DVec3::length);
         let extent = |axis: usize, gradient: f64| {
             // The gradient of X/W is (∇X − X/W ∇W)/W.
@@ -244,7 +246,7 @@ impl<'a> Plan<'a> {
     pub fn frame(&self, found: &Found<'_>) -> Result<Frame> {
         let (picture, channels) = (self.picture(), self.picture().channels);
         let resolver = Resolver::new(&self.prepared);
-        // Images of all rows, before they are copied.
+        // The rows exist twice for a moment, in `rows` and in `frame`: check that this fits into memory.
         channels.check_room(picture.pixel_count() as u64)?;
         let columns = picture.camera.width as usize;
         let row = |y: usize| {
@@ -257,10 +259,10 @@ impl<'a> Plan<'a> {
                 }
                 let [red, green, blue, coverage] = found.colors.get(pixel).copied().unwrap_or_default();
                 let mut color = [red, green, blue];
-                if let Some(&[low, high]) = found.others.get(pixel) {
+                if let Some(&[low, high]) = found.before_masks.get(pixel) {
                     resolver.add_before(&mut color, [x, y], u64::from(high) << 32 | u64::from(low));
                 }
-                let sample = found.middles.get(pixel).map(|&halves| {
+                let sample = found.center_keys.get(pixel).map(|&halves| {
                     let middle = |pixel: usize| (pixel * picture.grid as usize + picture.grid as usize / 2) as i32;
                     resolver.sample(self.key(halves), (middle(x), middle(y)))
                 });
@@ -281,25 +283,25 @@ impl<'a> Plan<'a> {
     }
 
     /// Converts a shader's key, which has a block and a position in it, to one with the number of a splat.
-    fn key(&self, [number, order]: [u32; 2]) -> Key {
-        let place = !number;
+    fn key(&self, [complement, nearness_bits]: [u32; 2]) -> Key {
+        let place = !complement;
         if place == BEFORE {
-            return Key::from_halves([number, order]);
+            return Key::from_halves([complement, nearness_bits]);
         }
         let (block, lane) = (place >> LANE_BITS, place & ((1 << LANE_BITS) - 1));
         let view = self.views.partition_point(|view| view.place[0] <= block) - 1;
-        let (prepared, number) = (&self.prepared.views[view], block - self.views[view].place[0]);
-        let block = &prepared.splats.blocks[number as usize];
+        let (prepared, block_index) = (&self.prepared.views[view], block - self.views[view].place[0]);
+        let block = &prepared.splats.blocks[block_index as usize];
         let rank = (block.shown & ((1u64 << lane) - 1)).count_ones();
-        Key::from_halves([!(prepared.first + block.first + rank), order])
+        Key::from_halves([!(prepared.first + block.first + rank), nearness_bits])
     }
 }
 
 impl Constants {
     /// Returns the view in the shader's layout.
-    fn numbers(&self, first: u32) -> ViewNumbers {
+    fn uniforms(&self, first: u32) -> ViewUniforms {
         let rows = |rows: &[[f32; 3]; 3]| rows.map(|[x, y, z]| [x, y, z, 0.0]);
-        ViewNumbers {
+        ViewUniforms {
             steps: rows(&self.steps),
             gradients: rows(&self.gradients),
             axes: rows(&self.axes),

@@ -14,7 +14,7 @@ use crate::render::Limits;
 pub(in crate::orthoview) struct Projector {
     /// World position of the eye or, for parallel rays, of the corner of the image plane.
     pub eye: DVec3,
-    /// Gradients of the functions, pixels and metres.
+    /// Gradients of X, Y, W by world position.
     pub rows: [DVec3; 3],
     pub is_parallel: bool,
 }
@@ -63,7 +63,7 @@ pub(super) struct ScreenBounds {
 const MIN_DISTANCE: f64 = 1.0;
 
 impl Projector {
-    /// Creates the functions of a camera.
+    /// Creates the projector of a camera.
     pub fn new(camera: &Camera) -> Self {
         let (rays, is_parallel) = (camera.rays(), camera.is_parallel());
         // A point at (x, y) and a distance w: perspective w (x right + y down + ray), parallel start + x right +
@@ -73,12 +73,12 @@ impl Projector {
         Self { eye: camera.position + rays.start, rows: [0, 1, 2].map(|n| inverse.row(n)), is_parallel }
     }
 
-    /// Evaluates the functions at a world position.
+    /// Evaluates X, Y, W at a world position.
     pub fn evaluate(&self, place: DVec3) -> [f64; 3] {
         self.rows.map(|row| row.dot(place - self.eye))
     }
 
-    /// Returns the functions' changes along a vector.
+    /// Returns the changes of X, Y, W along a vector.
     pub fn derivative(&self, vector: DVec3) -> [f64; 3] {
         self.rows.map(|row| row.dot(vector))
     }
@@ -101,10 +101,10 @@ impl Projector {
     }
 }
 
-/// A view relative to a camera: the projector's functions at its pixels and depth steps.
+/// A view relative to a camera: X, Y, W at its pixels and depth steps.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ViewProjection {
-    /// Functions at the corner of the first pixel, at the front.
+    /// X, Y, W at the corner of the first pixel, at depth 0.
     start: [f64; 3],
     /// Changes per column, row and depth step.
     pub steps: [[f64; 3]; 3],
@@ -127,7 +127,7 @@ impl ViewProjection {
         }
     }
 
-    /// Evaluates the functions at a column, a row and a number of depth steps.
+    /// Evaluates X, Y, W at a column, a row and a number of depth steps.
     pub fn evaluate(&self, [column, row, depth]: [f64; 3]) -> [f64; 3] {
         let [by_column, by_row, by_depth] = &self.steps;
         [0, 1, 2].map(|n| self.start[n] + column * by_column[n] + row * by_row[n] + depth * by_depth[n])

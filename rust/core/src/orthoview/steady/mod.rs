@@ -1,6 +1,7 @@
 //! Prevention of popping by reprojection of pictures to the camera of another moment.
 //!
-//! `Past::blend` fades a picture into the previous one, surface by surface; `blur` averages a picture over poses.
+//! `Past::blend` mixes the previous picture into the new one where both show the same surface; `blur` averages a
+//! picture over poses.
 
 mod blur;
 mod past;

@@ -3,7 +3,7 @@
 
 use super::super::frame::{Channels, Sample};
 use super::super::surface::add_colors;
-use super::super::tiles::{PIXELS, Picture, Spots};
+use super::super::tiles::{PIXELS, Picture, RayPixels};
 use super::backdrop::Backdrop;
 use super::near_geometry::Morphed;
 use crate::camera::Footprint;
@@ -61,7 +61,7 @@ impl Bent<'_> {
 }
 
 impl Picture for Bent<'_> {
-    fn trace(&self, rays: &mut [Ray], hits: &mut [Hit], _spots: &Spots<'_>) {
+    fn trace(&self, rays: &mut [Ray], hits: &mut [Hit], _pixels: &RayPixels<'_>) {
         let static_count = self.scene.standing.instances().len() as u32;
         let cutouts = self.scene.has_cutouts();
         let filter = |draws_beyond| FragmentFilter { bent: self, static_count, cutouts, draws_beyond };

@@ -6,7 +6,7 @@ use glam::{DVec3, Vec2, Vec3, Vec3Swizzles};
 use super::super::frame::{Channels, Sample};
 use super::super::limits::Segment;
 use super::super::surface::add_colors;
-use super::super::tiles::{PIXELS, Picture, Spots};
+use super::super::tiles::{PIXELS, Picture, RayPixels};
 use super::backdrop::{Backdrop, closest, hit_color};
 use super::cell::Cell;
 use super::lattice::Lattice;
@@ -58,7 +58,7 @@ impl<'a> Exact<'a> {
 
     /// Traces all rays of a tile together: first their straight parts, then the legs of those without a hit. Returns
     /// false if these cannot be bent together.
-    fn trace_tile(&self, inside: &Inside, rays: &mut [Ray], hits: &mut [Hit], spots: &Spots<'_>) -> bool {
+    fn trace_tile(&self, inside: &Inside, rays: &mut [Ray], hits: &mut [Hit], pixels: &RayPixels<'_>) -> bool {
         let mut ends = [Vec3::ZERO; PIXELS];
         for (ray, end) in rays.iter_mut().zip(&mut ends) {
             let distance = inside.distance_to_r1(ray.direction);
@@ -71,10 +71,10 @@ impl<'a> Exact<'a> {
             return true;
         }
         let is_near = |bounds: &Aabb| touches(self.scene, bounds);
-        self.lattice.for_each_cell(spots.tile(), is_near, |cell| {
+        self.lattice.for_each_cell(pixels.tile(), is_near, |cell| {
             let (mut positions, mut misses_in_cell) = ([[0.0; 2]; PIXELS], Vec::with_capacity(misses.len()));
             for &n in &misses {
-                if let Some(position) = cell.to_part(spots.position_in_tile(n)) {
+                if let Some(position) = cell.to_part(pixels.position_in_tile(n)) {
                     positions[n] = position;
                     misses_in_cell.push(n);
                 }
@@ -205,9 +205,9 @@ impl<'a> Exact<'a> {
 }
 
 impl Picture for Exact<'_> {
-    fn trace(&self, rays: &mut [Ray], hits: &mut [Hit], spots: &Spots<'_>) {
+    fn trace(&self, rays: &mut [Ray], hits: &mut [Hit], pixels: &RayPixels<'_>) {
         hits.fill(Hit::MISS);
-        let are_traced = self.inside.as_ref().is_some_and(|inside| self.trace_tile(inside, rays, hits, spots));
+        let are_traced = self.inside.as_ref().is_some_and(|inside| self.trace_tile(inside, rays, hits, pixels));
         if !are_traced && self.morph.r2 > 0.0 {
             let missing = rays.iter_mut().zip(hits.iter_mut()).filter(|(_, hit)| hit.is_miss());
             missing.for_each(|(ray, hit)| self.trace_alone(ray, hit));

@@ -23,7 +23,7 @@ const PIECE_BYTES: u64 = (size_of::<Placed>() + 16 + 3 * size_of::<Box<[Placed]>
 /// Tolerance in radians from which on triangles are not split.
 const MAX_TOLERANCE: f64 = 0.5;
 /// Vertices morphed between two checks for cancellation.
-const TILE: usize = 1 << 14;
+const CHUNK: usize = 1 << 14;
 
 /// A piece of a scene's face, given by its three corners on the face.
 #[derive(Clone, Copy, Debug)]
@@ -175,18 +175,18 @@ impl Split {
     /// Returns the pieces morphed for one user, with a tree over them.
     pub fn morphed(&self, morph: &Morph, progress: &Progress) -> Result<NearPart> {
         let mut positions = try_vec([0.0; 3], self.vertices.len())?;
-        let morph_tile = |(tile, positions): (&[DVec3], &mut [[f32; 3]])| -> Result<u64> {
+        let morph_chunk = |(chunk, positions): (&[DVec3], &mut [[f32; 3]])| -> Result<u64> {
             progress.check()?;
             let mut opposed = 0;
-            for (position, &vertex) in positions.iter_mut().zip(tile) {
+            for (position, &vertex) in positions.iter_mut().zip(chunk) {
                 let point = morph.examine(vertex);
                 *position = point.point.as_vec3().to_array();
                 opposed += u64::from(point.opposed);
             }
             Ok(opposed)
         };
-        let tiles = self.vertices.par_chunks(TILE).zip(positions.par_chunks_mut(TILE)).map(morph_tile);
-        let opposed = tiles.try_reduce(|| 0, |a, b| Ok(a + b))?;
+        let chunks = self.vertices.par_chunks(CHUNK).zip(positions.par_chunks_mut(CHUNK)).map(morph_chunk);
+        let opposed = chunks.try_reduce(|| 0, |a, b| Ok(a + b))?;
         let mesh = match self.first.get() {
             Some(first) => Arc::new(first.with_positions(positions)?),
             None => {

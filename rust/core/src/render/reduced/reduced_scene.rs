@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::super::frame::{Channels, Frame};
 use super::super::limits::{Limits, Segment};
-use super::super::tiles::{Pixels, RenderView, check_reach, draw};
+use super::super::tiles::{Pixels, RenderView, check_position, draw};
 use super::backdrop::{Backdrop, Far, VisibleVolume};
 use super::folding::Folding;
 use super::moving::{ConventionalDynamic, Moving};
@@ -223,9 +223,9 @@ impl Reduced {
     pub fn check(&self, scene: &Scene, camera: &Camera, drawing: &Drawing<'_>) -> Result<()> {
         let is_own = Arc::ptr_eq(&scene.standing, &self.static_scene.standing);
         ensure!(is_own, "at", "poses of the scene that was reduced", "another scene");
-        check_reach("position", camera.position - scene.origin)?;
+        check_position("position", camera.position - scene.origin)?;
         let user = drawing.user(camera);
-        check_reach("user", user - scene.origin)?;
+        check_position("user", user - scene.origin)?;
         if drawing.mapped {
             self.check_channels(drawing.channels)?;
         }

@@ -4,7 +4,7 @@
 use super::super::frame::{Channels, Sample};
 use super::super::limits::Segment;
 use super::super::surface::add_colors;
-use super::super::tiles::{PIXELS, Picture, Spots};
+use super::super::tiles::{PIXELS, Picture, RayPixels};
 use super::backdrop::{Backdrop, closest};
 use super::moving::{ConventionalDynamic, Moving};
 use crate::base::{Progress, Result};
@@ -37,7 +37,7 @@ impl<'a> Straight<'a> {
 }
 
 impl Picture for Straight<'_> {
-    fn trace(&self, rays: &mut [Ray], hits: &mut [Hit], _spots: &Spots<'_>) {
+    fn trace(&self, rays: &mut [Ray], hits: &mut [Hit], _pixels: &RayPixels<'_>) {
         let mut segments = [Segment::EMPTY; PIXELS];
         for (ray, segment) in rays.iter_mut().zip(&mut segments) {
             *segment = Segment { t_min: ray.t_min, t_max: ray.t_max };

@@ -13,8 +13,8 @@ use crate::base::{Progress, Result};
 /// Polygons per task. A task takes milliseconds and reuses its buffers.
 const POLYGONS_PER_TASK: usize = 512;
 
-/// Difference between the areas of triangles and rings, relative to the squared extent, that counts as rounding: below
-/// it rings don't cross visibly. Sums of 10⁵ corners round to 10⁻¹¹.
+/// Greatest difference between the areas of the triangles and of the rings, relative to the squared extent, that is taken
+/// for rounding; a greater one means that rings cross. Sums of 10⁵ corners round to 10⁻¹¹.
 const ROUNDING: f64 = 1e-9;
 
 /// Faces of many items, in their order.

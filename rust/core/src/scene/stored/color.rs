@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::fitness::{ROWS_PER_PIECE, map_pieces};
 use super::meshes::{StoredMesh, StoredMeshes, VertexSet};
-use super::rows::{Number, Table};
+use super::rows::{ComponentType, Table};
 use crate::scene::srgb::{srgb_from_linear, srgb_from_u16};
 
 impl StoredMeshes {
@@ -36,7 +36,7 @@ fn alpha(value: f32) -> u8 {
 impl Table<'_> {
     /// Writes linear colours as sRGB with linear alpha; rows of three components are opaque.
     pub(super) fn colors(&self, first: usize, slots: &mut [[u8; 4]]) {
-        if let (Number::U16, 4) = (self.rows.number, self.rows.width) {
+        if let (ComponentType::U16, 4) = (self.rows.component, self.rows.width) {
             let codes = srgb_from_u16();
             self.shorts(first, slots, |[red, green, blue, opacity]| {
                 let [red, green, blue] = [red, green, blue].map(|light| codes[usize::from(light)]);

@@ -4,7 +4,7 @@ use glam::Vec3;
 use rayon::prelude::*;
 
 use super::meshes::{FaceSet, StoredMesh, StoredMeshes, VertexSet};
-use crate::base::{Aabb, Progress, REACH, Result};
+use crate::base::{Aabb, MAX_COORDINATE, Progress, Result};
 
 /// Rows read at a time; they fit in the first-level cache.
 pub(super) const ROWS_PER_PIECE: usize = 1 << 10;
@@ -21,8 +21,8 @@ struct UsedRange {
 }
 
 impl StoredMeshes {
-    /// Sets `is_fit` and `bounds` of all meshes, and the ranges of shared vertices.
-    pub(super) fn find_fit(&mut self, progress: &Progress) -> Result<()> {
+    /// Sets `is_usable` and `bounds` of all meshes, and the ranges of shared vertices.
+    pub(super) fn find_usable(&mut self, progress: &Progress) -> Result<()> {
         let examine = |mesh: &StoredMesh| progress.check().map(|()| self.examine(mesh));
         self.meshes = self.meshes.par_iter().map(examine).collect::<Result<_>>()?;
         Ok(())
@@ -38,18 +38,18 @@ impl StoredMeshes {
             used.end = used.end.max(max as usize + 1);
             used.corners += 3 * faces.count;
         }
-        let mut is_fit = true;
+        let mut is_usable = true;
         for (set, used) in mesh.vertices.iter_mut().zip(&uses) {
-            is_fit &= used.end <= set.count;
+            is_usable &= used.end <= set.count;
             if set.is_shared {
                 (set.first, set.count) = (used.start.min(used.end), used.end.saturating_sub(used.start));
-                is_fit &= set.count <= MAX_SPREAD * used.corners;
+                is_usable &= set.count <= MAX_SPREAD * used.corners;
             }
         }
-        if is_fit {
+        if is_usable {
             let bounds = mesh.vertices.par_iter().map(|set| self.box_of(set)).collect::<Option<Vec<_>>>();
             mesh.bounds = bounds.iter().flatten().fold(Aabb::EMPTY, |all, bounds| all.union(bounds));
-            mesh.is_fit = bounds.is_some() && f64::from(mesh.bounds.reach()) <= REACH;
+            mesh.is_usable = bounds.is_some() && f64::from(mesh.bounds.max_coordinate()) <= MAX_COORDINATE;
         }
         mesh
     }
@@ -66,12 +66,12 @@ impl StoredMeshes {
         map_pieces(faces.count, piece_range).reduce(|| (u32::MAX, 0), |a, b| (a.0.min(b.0), a.1.max(b.1)))
     }
 
-    /// Returns the boxes of the faces of fit meshes, each in its own frame. `bounds` may be larger, because it includes
+    /// Returns the boxes of the faces of usable meshes, each in its own frame. `bounds` may be larger, because it includes
     /// unused vertices.
     pub fn face_bounds(&self, progress: &Progress) -> Result<Vec<[[f64; 3]; 2]>> {
         let bounds_of_mesh = |mesh: &StoredMesh| {
             progress.check()?;
-            let sets = mesh.faces.par_iter().filter(|_| mesh.is_fit).map(|faces| self.box_of_faces(faces, mesh));
+            let sets = mesh.faces.par_iter().filter(|_| mesh.is_usable).map(|faces| self.box_of_faces(faces, mesh));
             Ok(self.sides(&sets.reduce(|| Aabb::EMPTY, |a, b| a.union(&b))))
         };
         self.meshes.par_iter().map(bounds_of_mesh).collect()

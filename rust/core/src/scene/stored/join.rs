@@ -4,12 +4,12 @@ use glam::{DAffine3, Vec3};
 use rayon::prelude::*;
 
 use super::meshes::{Attributes, FaceSet, StoredMesh, StoredMeshes, VertexSet};
-use super::rows::Number;
+use super::rows::ComponentType;
 use crate::base::mapped::{pieces, starts};
 use crate::base::memory::try_vec;
 use crate::base::{Buffer, FaceMap, Progress, Result, ensure};
 use crate::scene::merge::is_mirror;
-use crate::scene::mesh::{Mesh, TILE, check_finite, flipped};
+use crate::scene::mesh::{CHUNK, Mesh, check_finite, flipped};
 use crate::scene::normal::{normal_matrix, place_normal};
 
 /// Tolerance on the squared length of a unit normal, so that normals of four digits count as unit.
@@ -18,7 +18,7 @@ const UNIT_TOLERANCE: f32 = 1e-4;
 /// A stored mesh to be joined.
 #[derive(Clone, Copy, Debug)]
 pub struct StoredPart {
-    /// Number of the mesh; it must be fit.
+    /// Number of the mesh; it must be usable.
     pub mesh: usize,
     /// Transform object→scene; need not be invertible.
     pub to_scene: DAffine3,
@@ -84,7 +84,7 @@ impl StoredMeshes {
             let Some(rows) = set.attributes.normals else { return };
             self.table(rows).floats(first, slots);
             // Quantised normals are always normalised: their length is never exactly 1.
-            let tolerance = if self.rows[rows].number == Number::F32 { UNIT_TOLERANCE } else { 0.0 };
+            let tolerance = if self.rows[rows].component == ComponentType::F32 { UNIT_TOLERANCE } else { 0.0 };
             slots.iter_mut().for_each(|slot| *slot = unit(*slot, tolerance));
             if part.to_scene != DAffine3::IDENTITY {
                 let matrix = normal_matrix(&part.to_scene);
@@ -124,8 +124,8 @@ impl StoredMeshes {
             let sets = &self.meshes[part.mesh].vertices;
             let slots = pieces(slots, sets.iter().map(|set| set.count));
             sets.par_iter().zip(slots).try_for_each(|(set, slots)| {
-                slots.par_chunks_mut(TILE).enumerate().try_for_each(|(tile, slots)| {
-                    write(part, set, set.first + tile * TILE, slots);
+                slots.par_chunks_mut(CHUNK).enumerate().try_for_each(|(chunk, slots)| {
+                    write(part, set, set.first + chunk * CHUNK, slots);
                     progress.check()
                 })
             })
@@ -143,8 +143,8 @@ impl StoredMeshes {
             let slots = pieces(slots, mesh.faces.iter().map(|faces| faces.count));
             mesh.faces.par_iter().zip(slots).try_for_each(|(faces, slots)| {
                 let (shift, is_mirrored) = (shifts[faces.set], is_mirror(&part.to_scene));
-                slots.par_chunks_mut(TILE).enumerate().try_for_each(|(tile, slots)| {
-                    self.write_faces(faces, tile * TILE, slots);
+                slots.par_chunks_mut(CHUNK).enumerate().try_for_each(|(chunk, slots)| {
+                    self.write_faces(faces, chunk * CHUNK, slots);
                     for slot in slots {
                         let face = slot.map(|vertex| vertex.wrapping_add(shift));
                         *slot = if is_mirrored { flipped(&face) } else { face };
@@ -174,7 +174,7 @@ impl StoredMeshes {
         let [part] = parts else { return None };
         let [set] = &self.meshes[part.mesh].vertices[..] else { return None };
         let is_plain = self.scale == 1.0 && part.to_scene == DAffine3::IDENTITY;
-        is_plain.then(|| self.borrowed(set.attributes.positions, Number::F32, set.first, set.count))?
+        is_plain.then(|| self.borrowed(set.attributes.positions, ComponentType::F32, set.first, set.count))?
     }
 
     /// Returns the file's own faces, for a single mesh with a single face set.
@@ -183,18 +183,18 @@ impl StoredMeshes {
         let mesh = &self.meshes[part.mesh];
         let [faces] = &mesh.faces[..] else { return None };
         let is_plain = mesh.vertices[0].first == 0 && !is_mirror(&part.to_scene);
-        is_plain.then(|| self.borrowed(faces.corners?, Number::U32, 0, 3 * faces.count))?
+        is_plain.then(|| self.borrowed(faces.corners?, ComponentType::U32, 0, 3 * faces.count))?
     }
 
     fn borrowed<T: bytemuck::AnyBitPattern + Send + Sync>(
         &self,
         rows: usize,
-        number: Number,
+        component: ComponentType,
         first: usize,
         count: usize,
     ) -> Option<Buffer<T>> {
         let rows = &self.rows[rows];
-        let range = rows.tight(first, count).filter(|_| rows.number == number)?;
+        let range = rows.tight(first, count).filter(|_| rows.component == component)?;
         let block = self.blocks[rows.block].clone();
         bytemuck::try_cast_slice::<u8, T>(&block[range.clone()]).ok()?;
         Some(Buffer::from_owner(Borrowed { block, range, of: std::marker::PhantomData }))

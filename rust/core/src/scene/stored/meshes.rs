@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::rows::{Number, Rows, Table};
+use super::rows::{ComponentType, Rows, Table};
 use crate::base::{Aabb, Buffer, Error, Progress, Result, by_number, ensure};
 
 /// Row numbers of a vertex set's attributes.
@@ -57,8 +57,8 @@ pub(super) struct FaceSet {
 pub(super) struct StoredMesh {
     pub vertices: Vec<VertexSet>,
     pub faces: Vec<FaceSet>,
-    /// Whether the mesh is usable; see `StoredMeshes::is_fit`.
-    pub is_fit: bool,
+    /// Whether the mesh is usable; see `StoredMeshes::is_usable`.
+    pub is_usable: bool,
     /// Box of the vertices.
     pub bounds: Aabb,
 }
@@ -74,7 +74,7 @@ pub struct StoredMeshes {
 }
 
 impl StoredMeshes {
-    /// Creates meshes. Checks that all rows lie within their blocks and are consistent, and finds which meshes are fit.
+    /// Creates meshes. Checks that all rows lie within their blocks and are consistent, and finds which meshes are usable.
     pub fn new(blocks: Vec<Buffer<u8>>, rows: Vec<Rows>, faces: &[StoredFaces], progress: &Progress) -> Result<Self> {
         for (number, row) in rows.iter().enumerate() {
             let length = blocks.get(row.block).map(|block| block.len());
@@ -88,7 +88,7 @@ impl StoredMeshes {
             stored.add(part, &mut sets)?;
         }
         stored.find_shared();
-        stored.find_fit(progress)?;
+        stored.find_usable(progress)?;
         Ok(stored)
     }
 
@@ -120,7 +120,7 @@ impl StoredMeshes {
         ensure!(is_next, "faces", "meshes that ascend without gaps", part.mesh);
         if part.mesh == self.meshes.len() {
             let (vertices, faces) = (Vec::new(), Vec::new());
-            self.meshes.push(StoredMesh { vertices, faces, is_fit: false, bounds: Aabb::EMPTY });
+            self.meshes.push(StoredMesh { vertices, faces, is_usable: false, bounds: Aabb::EMPTY });
             sets.clear();
         }
         let vertex_count = self.rows[part.attributes.positions].count;
@@ -155,7 +155,7 @@ impl StoredMeshes {
         let corners = match part.corners.map(row).transpose()? {
             None => vertex_count,
             Some(rows) => {
-                let is_whole = matches!(rows.number, Number::U8 | Number::U16 | Number::U32);
+                let is_whole = matches!(rows.component, ComponentType::U8 | ComponentType::U16 | ComponentType::U32);
                 if !is_whole || rows.width != 1 || rows.step != rows.size() {
                     return Err(wrong("corners as whole numbers without gaps"));
                 }
@@ -188,8 +188,8 @@ impl StoredMeshes {
 
     /// Returns whether a mesh is usable: its coordinates are finite, all corners name vertices, and the vertices that
     /// it shares with other meshes lie close together in the file.
-    pub fn is_fit(&self, mesh: usize) -> bool {
-        self.meshes[mesh].is_fit
+    pub fn is_usable(&self, mesh: usize) -> bool {
+        self.meshes[mesh].is_usable
     }
 
     /// Returns the number of a mesh's vertices.
@@ -202,7 +202,7 @@ impl StoredMeshes {
         self.meshes[mesh].faces.iter().map(|faces| faces.count).sum()
     }
 
-    /// Returns the box of the vertices of a fit mesh, in its own frame.
+    /// Returns the box of the vertices of a usable mesh, in its own frame.
     pub fn bounds(&self, mesh: usize) -> [[f64; 3]; 2] {
         self.sides(&self.meshes[mesh].bounds)
     }

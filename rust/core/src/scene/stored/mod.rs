@@ -11,4 +11,4 @@ mod tests;
 
 pub use join::StoredPart;
 pub use meshes::{Attributes, StoredFaces, StoredMeshes};
-pub use rows::{Number, Rows};
+pub use rows::{ComponentType, Rows};

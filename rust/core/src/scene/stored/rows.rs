@@ -2,10 +2,10 @@
 
 use crate::base::Buffer;
 
-/// Number type of rows, little-endian.
+/// Type of the numbers in rows, little-endian.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[expect(missing_docs, reason = "the names of Rust's types")]
-pub enum Number {
+pub enum ComponentType {
     I8,
     U8,
     I16,
@@ -14,7 +14,7 @@ pub enum Number {
     F32,
 }
 
-impl Number {
+impl ComponentType {
     /// Returns the bytes of a number.
     pub fn size(self) -> usize {
         match self {
@@ -39,7 +39,7 @@ pub struct Rows {
     /// Numbers in a row.
     pub width: usize,
     /// Type of the numbers.
-    pub number: Number,
+    pub component: ComponentType,
     /// Whether integers are normalised: fractions of their type's maximum.
     pub is_fraction: bool,
 }
@@ -47,7 +47,7 @@ pub struct Rows {
 impl Rows {
     /// Returns the bytes of a row.
     pub fn size(&self) -> usize {
-        self.width * self.number.size()
+        self.width * self.component.size()
     }
 
     /// Returns the end of the last row; `None` if it overflows.
@@ -104,7 +104,7 @@ macro_rules! with_number {
     };
     (@each $number:expr, $type:ident, $body:expr, $($variant:ident: $primitive:ty),+) => {
         match $number {
-            $(Number::$variant => {
+            $(ComponentType::$variant => {
                 type $type = $primitive;
                 $body
             })+
@@ -127,7 +127,7 @@ impl<'a> Table<'a> {
 
     /// Returns one column of the rows.
     pub fn column(&self, column: usize) -> Self {
-        let rows = Rows { start: self.rows.start + column * self.rows.number.size(), width: 1, ..self.rows };
+        let rows = Rows { start: self.rows.start + column * self.rows.component.size(), width: 1, ..self.rows };
         Self { rows, bytes: self.bytes }
     }
 
@@ -138,7 +138,7 @@ impl<'a> Table<'a> {
 
     /// Writes rows from number `first` on as float32; normalised integers become fractions.
     pub fn floats<const W: usize>(&self, first: usize, slots: &mut [[f32; W]]) {
-        with_number!(self.rows.number, T => {
+        with_number!(self.rows.component, T => {
             if self.rows.is_fraction {
                 self.map_rows(first, slots, T::fraction);
             } else {
@@ -150,16 +150,16 @@ impl<'a> Table<'a> {
     /// Writes faces from number `first` on; a face consists of three rows of one integer.
     pub fn corners(&self, first: usize, slots: &mut [[u32; 3]]) {
         let faces = Self { rows: Rows { step: 3 * self.rows.step, width: 3, ..self.rows }, bytes: self.bytes };
-        match self.rows.number {
-            Number::U8 => faces.map_rows(first, slots, |number: u8| u32::from(number)),
-            Number::U16 => faces.map_rows(first, slots, |number: u16| u32::from(number)),
+        match self.rows.component {
+            ComponentType::U8 => faces.map_rows(first, slots, |number: u8| u32::from(number)),
+            ComponentType::U16 => faces.map_rows(first, slots, |number: u16| u32::from(number)),
             _ => faces.map_rows(first, slots, |number: u32| number),
         }
     }
 
     /// Writes rows of `W` numbers; integers are always normalised to fractions.
     pub fn fractions<const W: usize>(&self, first: usize, slots: &mut [[f32; W]]) {
-        with_number!(self.rows.number, T => self.map_rows(first, slots, T::fraction));
+        with_number!(self.rows.component, T => self.map_rows(first, slots, T::fraction));
     }
 
     fn map_rows<T: Stored, R, const W: usize>(&self, first: usize, slots: &mut [[R; W]], convert: impl Fn(T) -> R) {
@@ -183,22 +183,30 @@ mod tests {
     #[test]
     fn numbers_of_every_type_are_read_and_normalised() {
         let blocks = [Buffer::from(vec![0u8, 0x80, 0x7f, 0xff, 0, 0, 0x80, 0x3f])];
-        let one = |start, number, is_fraction| {
-            let rows = Rows { block: 0, start, step: 4, count: 1, width: 1, number, is_fraction };
+        let one = |start, component, is_fraction| {
+            let rows = Rows { block: 0, start, step: 4, count: 1, width: 1, component, is_fraction };
             let mut slot = [[0.0]];
             Table::new(rows, &blocks).floats(0, &mut slot);
             slot[0][0]
         };
-        assert_eq!((one(1, Number::I8, false), one(1, Number::I8, true)), (-128.0, -1.0));
-        assert_eq!((one(2, Number::U8, false), one(3, Number::U8, true)), (127.0, 1.0));
-        assert_eq!((one(0, Number::I16, false), one(0, Number::I16, true)), (-32768.0, -1.0));
-        assert_eq!(one(2, Number::U16, true), 0xff7f as f32 / 65535.0);
-        assert_eq!((one(4, Number::F32, false), one(4, Number::U32, false)), (1.0, 1_065_353_216.0));
+        assert_eq!((one(1, ComponentType::I8, false), one(1, ComponentType::I8, true)), (-128.0, -1.0));
+        assert_eq!((one(2, ComponentType::U8, false), one(3, ComponentType::U8, true)), (127.0, 1.0));
+        assert_eq!((one(0, ComponentType::I16, false), one(0, ComponentType::I16, true)), (-32768.0, -1.0));
+        assert_eq!(one(2, ComponentType::U16, true), 0xff7f as f32 / 65535.0);
+        assert_eq!((one(4, ComponentType::F32, false), one(4, ComponentType::U32, false)), (1.0, 1_065_353_216.0));
     }
 
     #[test]
     fn ends_do_not_overflow() {
-        let rows = Rows { block: 0, start: 4, step: 12, count: 3, width: 2, number: Number::U16, is_fraction: false };
+        let rows = Rows {
+            block: 0,
+            start: 4,
+            step: 12,
+            count: 3,
+            width: 2,
+            component: ComponentType::U16,
+            is_fraction: false,
+        };
         assert_eq!((rows.size(), rows.end()), (4, Some(32)));
         assert_eq!(Rows { count: 0, ..rows }.end(), Some(4));
         assert_eq!(Rows { count: usize::MAX, ..rows }.end(), None);

@@ -3,16 +3,16 @@ use proptest::prelude::*;
 
 use super::{check_neighbours, greatest_miss, ground, pieces, point};
 use crate::tessellate::rule::Rule;
-use crate::tessellate::settings::{Precision, Settings, Stages};
+use crate::tessellate::settings::{Precision, ServedMorphs, Settings};
 use crate::tessellate::split::Piece;
 
 const NEAR: f64 = 0.7;
 
 fn settings(radii: [f64; 2], is_full: bool, reach: f64, tolerance: f64) -> Settings {
     let [least, r2] = radii;
-    let stages = Stages::Cylinder { least, is_full };
+    let served = ServedMorphs::Cylinder { least, is_full };
     let center = DVec3::new(1.0, 1.7, -2.0);
-    Settings { center, r1: NEAR * r2, r2, drawn: f64::INFINITY, reach, tolerance, stages }
+    Settings { center, r1: NEAR * r2, r2, drawn: f64::INFINITY, reach, tolerance, served }
 }
 
 /// Settings for which the bound holds, with a growth or without.
@@ -32,8 +32,8 @@ fn check_bound([a, b, c]: [DVec3; 3], size: f64, settings: &Settings, seed: u64)
     prop_assert!(rule.require_bound().is_ok());
     let split = pieces([a, a + (b - a) * size, a + (c - a) * size], &rule);
     prop_assert!(split.len() < 600_000, "{}", split.len());
-    let (stages, points) = if split.len() > 500 { (4, 5) } else { (16, 10) };
-    let greatest = greatest_miss(&split, settings, seed, stages, points);
+    let (morphs, points) = if split.len() > 500 { (4, 5) } else { (16, 10) };
+    let greatest = greatest_miss(&split, settings, seed, morphs, points);
     prop_assert!(greatest <= settings.tolerance + 1e-12, "{greatest} of {}", settings.tolerance);
     Ok(())
 }
@@ -41,7 +41,7 @@ fn check_bound([a, b, c]: [DVec3; 3], size: f64, settings: &Settings, seed: u64)
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
     #[test]
-    fn no_user_sees_a_point_further_off_at_any_stage_of_a_growth(
+    fn no_user_sees_a_point_further_off_while_the_morph_grows(
         a in point(), b in point(), c in point(), settings in any_settings(), seed in any::<u64>(), size in 0.02..0.6f64,
     ) {
         check_bound([a, b, c], size, &Settings { tolerance: 2.0 * settings.tolerance, ..settings }, seed)?;

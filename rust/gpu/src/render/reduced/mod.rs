@@ -1,6 +1,6 @@
-//! Reduced scenes: near geometry, morphed by the vertex shader, in front of an environment map.
+//! Reduced scenes: NSF, morphed by the vertex shader, in front of an environment map.
 
-mod near;
+mod nsf;
 mod renderer;
 
 pub use renderer::Reduced;

@@ -1,4 +1,4 @@
-//! Rendering of reduced scenes in layers: objects beyond the near part, then the near part, which covers them.
+//! Rendering of reduced scenes in layers: objects beyond r₂, then NSF, which covers them.
 
 use std::sync::{Arc, Mutex, Weak};
 
@@ -12,15 +12,15 @@ use nearfar_core::render::reduced::{self, ConventionalDynamic, Drawing, FrameCou
 use nearfar_core::scene::{Instance, Scene};
 use nearfar_core::tessellate::bent_from;
 
-use super::near::{Bent, Geometry, Moving, Near};
+use super::nsf::{Geometry, Moving, Nsf, StaticParts};
 use crate::device::{Device, lock};
 use crate::draw::{Backdrop, Job, Layer, Mask, Picture, Set};
 use crate::render::near_far::{NearFar, Placement, ZoneCut};
 use crate::upload::{EnvTexels, Residents};
 
-/// Near part of a reduced scene in device form, and its map on the last device.
+/// NSF of a reduced scene in device form, and its map on the last device.
 pub struct Reduced {
-    near: Near,
+    nsf: Nsf,
     join: Join,
     center: DVec3,
     radii: [f64; 2],
@@ -30,7 +30,7 @@ pub struct Reduced {
 }
 
 impl Reduced {
-    /// Gathers the near part of a reduced scene; uploads happen when it is drawn.
+    /// Gathers the NSF of a reduced scene; uploads happen when it is drawn.
     pub fn new(partition: &Partition, reduced: &reduced::Reduced, progress: &Progress) -> Result<Self> {
         let radii = [partition.r1, partition.r2];
         let inside = match reduced.join {
@@ -38,7 +38,7 @@ impl Reduced {
             Join::Conventional { radius } => radius,
         };
         Ok(Self {
-            near: Near::gather(partition, inside, progress)?,
+            nsf: Nsf::gather(partition, inside, progress)?,
             join: reduced.join,
             center: partition.center - partition.scene.origin,
             radii,
@@ -69,11 +69,11 @@ impl Reduced {
         let tolerance = drawing.tolerance_px * reduced.pixel_angle(camera);
         let morph = kind.map(|kind| reduced.morph(user, self.center, kind, drawing.growth)).transpose()?;
         let radii = morph.map_or(self.radii, |morph| [morph.r1, morph.r2]);
-        let bent = match &morph {
-            Some(morph) if tolerance.is_finite() => self.near.split(morph, tolerance, progress)?,
-            _ => self.near.unsplit(morph.as_ref().map_or(radii[0], bent_from), progress)?,
+        let parts = match &morph {
+            Some(morph) if tolerance.is_finite() => self.nsf.split(morph, tolerance, progress)?,
+            _ => self.nsf.unsplit(morph.as_ref().map_or(radii[0], bent_from), progress)?,
         };
-        let moving = self.near.moving(scene, bent.rule.as_ref(), progress)?;
+        let moving = self.nsf.moving(scene, parts.moving_rule.as_ref(), progress)?;
         let texels = match &self.map {
             Some(map) if drawing.mapped => Some(self.texels(device, map)?),
             _ => None,
@@ -83,11 +83,11 @@ impl Reduced {
         };
         let moving_triangles = count(&moving.placed, &moving.split);
         let counts = FrameCounts {
-            triangles: count(&bent.geometry, &bent.fixed) + moving_triangles,
+            triangles: count(&parts.bent, &parts.fixed) + moving_triangles,
             moving: moving_triangles,
-            opposed: morph.map_or(0, |morph| count_opposed(scene, &morph, &bent.geometry.scene)),
+            opposed: morph.map_or(0, |morph| count_opposed(scene, &morph, &parts.bent.scene)),
             bounded: kind.is_none()
-                || camera_offset == DVec3::ZERO && bent.rule.as_ref().is_some_and(|rule| rule.holds()),
+                || camera_offset == DVec3::ZERO && parts.moving_rule.as_ref().is_some_and(|rule| rule.holds()),
             fold_margin: reduced.fold_margin(drawing.user(camera), drawing.growth)?,
         };
         let cut_radius = match self.join {
@@ -100,7 +100,7 @@ impl Reduced {
             center: self.center,
             near_far: NearFar { offset, camera_offset, radii, strength, cut_radius, two_texels: 0.0 },
             kind,
-            bent: &bent,
+            parts: &parts,
             moving: &moving,
             map: self.map.as_ref(),
             texels,
@@ -148,7 +148,7 @@ pub(super) struct View<'a> {
     pub near_far: NearFar,
     /// Kind of the morph; `None` without one.
     pub kind: Option<Kind>,
-    pub bent: &'a Bent,
+    pub parts: &'a StaticParts,
     pub moving: &'a Moving,
     pub map: Option<&'a EnvironmentMap>,
     /// Device texels of the map, if it shows the far part; otherwise the far part is drawn from the centre.
@@ -196,12 +196,12 @@ impl View<'_> {
                 layer.covers = from_user && first > 0;
             }
         }
-        // The first layer of the near part covers everything beyond it.
+        // The first layer inside r₂ covers everything beyond it.
         let first = layers.len();
-        if let Some(fixed) = &self.bent.fixed {
+        if let Some(fixed) = &self.parts.fixed {
             layers.push(self.near_layer(device, fixed, Set::Static, Placement::Undisplaced, ZoneCut::None)?);
         }
-        layers.push(self.near_layer(device, &self.bent.geometry, Set::Static, near_placement, ZoneCut::Inside)?);
+        layers.push(self.near_layer(device, &self.parts.bent, Set::Static, near_placement, ZoneCut::Inside)?);
         layers[first].covers = first > 0;
         for (geometry, set) in &movers {
             layers.push(self.near_layer(device, geometry, *set, near_placement, ZoneCut::Inside)?);

@@ -5,7 +5,7 @@ use std::time::{SystemTime, UNIX_EPOCH};
 
 use super::support::{User, connect, join, limits, pick, server, server_content, start};
 use crate::rooms::frame::{FromServer, FromUser};
-use crate::rooms::{Key, Limits, Number, Reason, Rooms};
+use crate::rooms::{Key, Limits, Reason, Rooms, TokenNumber};
 use crate::{Server, ServerContent};
 
 fn key(byte: u8) -> Key {
@@ -13,7 +13,7 @@ fn key(byte: u8) -> Key {
 }
 
 /// A token that is valid for an hour.
-fn token(key: &Key, room: &str, number: Number) -> String {
+fn token(key: &Key, room: &str, number: TokenNumber) -> String {
     let now = SystemTime::now().duration_since(UNIX_EPOCH).expect("a time").as_secs();
     key.token(room, now + 3600, number)
 }

@@ -140,6 +140,6 @@ export function createWebglDrawer(canvas: HTMLCanvasElement, layout: Layout): Dr
     async finish() {
       gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
     },
-    unhidden: null,
+    drawnSplats: null,
   };
 }

@@ -53,7 +53,7 @@ export function createWebgpuDrawer(
   let done: Promise<void> = Promise.resolve();
   /** Number of submitted pictures that are not finished. */
   let unfinished = 0;
-  let unhidden: number | null = null;
+  let drawnSplats: number | null = null;
 
   function draw(meshes: readonly Mesh[], items: readonly Item<Layer>[], camera: Camera, maxGrid: number): FrameCounts {
     const grid = gridOf(maxGrid, camera.width, device.limits.maxTextureDimension2D);
@@ -173,7 +173,7 @@ export function createWebgpuDrawer(
     device.queue.submit([encoder.finish()]);
     unfinished += 1;
     const read = (): void => {
-      unhidden = new Uint32Array(count.getMappedRange())[0] ?? 0;
+      drawnSplats = new Uint32Array(count.getMappedRange())[0] ?? 0;
       count.destroy();
     };
     // The device reports its loss itself.
@@ -194,8 +194,8 @@ export function createWebgpuDrawer(
       return unfinished === 0;
     },
     finish: () => done,
-    get unhidden() {
-      return unhidden;
+    get drawnSplats() {
+      return drawnSplats;
     },
   };
 }

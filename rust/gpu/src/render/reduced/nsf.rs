@@ -1,4 +1,4 @@
-//! Near triangles as two meshes: one that the morph does not move, and one that it bends, whose triangles are split
+//! NSF triangles as two meshes: one that the morph does not move, and one that it bends, whose triangles are split
 //! finely enough. Moving instances are placed by transforms; between the radii, their long edges are split.
 
 use std::sync::{Arc, Mutex};
@@ -9,7 +9,7 @@ use nearfar_core::base::{Progress, Result};
 use nearfar_core::morph::Morph;
 use nearfar_core::partition::Partition;
 use nearfar_core::scene::{Instance, InstanceSet, Scene};
-use nearfar_core::tessellate::{Precision, Rule, Settings, Stages, Steps, bent_from, needs_split, split_scene};
+use nearfar_core::tessellate::{Precision, Rule, ServedMorphs, Settings, Steps, bent_from, needs_split, split_scene};
 
 use crate::device::lock;
 use crate::draw::Sources;
@@ -17,16 +17,17 @@ use crate::draw::Sources;
 /// Maximum number of cached splits, so that a user who walks to and fro between two steps of distance reuses both.
 const MAX_SPLITS: usize = 3;
 
-/// Near geometry of a reduced scene.
-pub(super) struct Near {
+/// NSF of a reduced scene: its near, intermediate and moving triangles.
+pub(super) struct Nsf {
     /// Triangles with all corners inside the radius.
     fixed: Geometry,
     /// All other triangles, unsplit.
     bending: Geometry,
-    /// All triangles, gathered when first needed: by a morph with smaller radii or less than full strength.
+    /// All static triangles, gathered when first needed: by a morph with smaller radii or a strength below 1, which bends
+    /// triangles inside r₁, too.
     all: Mutex<Option<Geometry>>,
     /// Cached splits, the last used at the end.
-    splits: Mutex<Vec<(SplitKey, Bent)>>,
+    splits: Mutex<Vec<(SplitKey, StaticParts)>>,
     /// Split moving instances in their last poses.
     split_movers: Mutex<Option<SplitMovers>>,
     /// An empty static set, for layers of moving objects.
@@ -42,15 +43,16 @@ pub(super) struct Geometry {
     pub sources: Arc<Sources>,
 }
 
-/// Static near triangles, divided by whether the morph bends them.
+/// Static triangles of NSF, divided by whether the morph bends them.
 #[derive(Clone)]
-pub(super) struct Bent {
+pub(super) struct StaticParts {
     /// Triangles that the morph bends.
-    pub geometry: Geometry,
+    pub bent: Geometry,
     /// Triangles that the morph does not move.
     pub fixed: Option<Geometry>,
-    /// Rule for moving objects, which are drawn everywhere.
-    pub rule: Option<Arc<Rule>>,
+    /// Rule for splitting moving objects: that of `bent`, but without its limit at r₂, because moving objects are also
+    /// drawn beyond it. `None` if nothing is split.
+    pub moving_rule: Option<Arc<Rule>>,
 }
 
 /// Moving objects as they are drawn.
@@ -68,16 +70,16 @@ struct SplitMovers {
 }
 
 /// Cache key of a split. Reach and tolerance are rounded to steps, so that the key stays the same while users move
-/// their heads. `stages` has the kind of the morph, and its strength if that matters.
+/// their heads.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct SplitKey {
     steps: Steps,
-    stages: Stages,
+    served: ServedMorphs,
     radii: [f64; 2],
 }
 
-impl Near {
-    /// Sorts the near triangles by whether they lie inside a radius.
+impl Nsf {
+    /// Gathers the triangles of NSF; those inside `radius` are `fixed`, and the others `bending`.
     pub fn gather(partition: &Partition, radius: f64, progress: &Progress) -> Result<Self> {
         let scene = &partition.scene;
         let [fixed, bending] = partition.nsf_inside(radius)?;
@@ -93,32 +95,34 @@ impl Near {
     }
 
     /// Returns the triangles of a morph that bends from the radius `from` on, unsplit.
-    pub fn unsplit(&self, from: f64, progress: &Progress) -> Result<Bent> {
+    pub fn unsplit(&self, from: f64, progress: &Progress) -> Result<StaticParts> {
         if from < self.radii[0] {
-            return Ok(Bent { geometry: self.all_triangles(progress)?, fixed: None, rule: None });
+            return Ok(StaticParts { bent: self.all_triangles(progress)?, fixed: None, moving_rule: None });
         }
-        Ok(Bent { geometry: self.bending.clone(), fixed: Some(self.fixed.clone()), rule: None })
+        Ok(StaticParts { bent: self.bending.clone(), fixed: Some(self.fixed.clone()), moving_rule: None })
     }
 
     /// Returns the triangles of a morph, split for a tolerance in radians. The split also serves other users at about
     /// the same distance from the centre.
-    pub fn split(&self, morph: &Morph, tolerance: f64, progress: &Progress) -> Result<Bent> {
+    pub fn split(&self, morph: &Morph, tolerance: f64, progress: &Progress) -> Result<StaticParts> {
         let reach = (morph.user - morph.center).length();
         let (steps, settings) = Settings::from_morph(morph, self.radii[1], reach, tolerance).stepped();
-        let key = SplitKey { steps, stages: settings.stages, radii: [settings.r1, settings.r2] };
-        if let Some(bent) = self.cached_split(&key) {
-            return Ok(bent);
+        let key = SplitKey { steps, served: settings.served, radii: [settings.r1, settings.r2] };
+        if let Some(parts) = self.cached_split(&key) {
+            return Ok(parts);
         }
+        // No lock is held while triangles are split in parallel: a thread that waits inside rayon may run another
+        // frame, which needs the same lock.
         let rule = Rule::new(&settings, Precision::Single)?;
-        let everywhere = Rule::new(&Settings { drawn: f64::INFINITY, ..settings }, Precision::Single)?;
-        let Bent { geometry, fixed, .. } = self.unsplit(bent_from(morph), progress)?;
-        let bent = Bent { geometry: geometry.split(&rule, progress)?, fixed, rule: Some(Arc::new(everywhere)) };
+        let moving_rule = Rule::new(&Settings { drawn: f64::INFINITY, ..settings }, Precision::Single)?;
+        let StaticParts { bent, fixed, .. } = self.unsplit(bent_from(morph), progress)?;
+        let parts = StaticParts { bent: bent.split(&rule, progress)?, fixed, moving_rule: Some(Arc::new(moving_rule)) };
         let mut splits = lock(&self.splits);
         if splits.len() == MAX_SPLITS {
             splits.remove(0);
         }
-        splits.push((key, bent.clone()));
-        Ok(bent)
+        splits.push((key, parts.clone()));
+        Ok(parts)
     }
 
     fn all_triangles(&self, progress: &Progress) -> Result<Geometry> {
@@ -130,13 +134,12 @@ impl Near {
         Ok(lock(&self.all).get_or_insert(all).clone())
     }
 
-    /// No lock is held during parallel work: a thread that waits inside rayon may run another frame, which needs the
-    /// same lock.
-    fn cached_split(&self, key: &SplitKey) -> Option<Bent> {
+    /// Returns a cached split, and marks it as the last used.
+    fn cached_split(&self, key: &SplitKey) -> Option<StaticParts> {
         let mut splits = lock(&self.splits);
         let index = splits.iter().position(|(other, _)| other == key)?;
         splits[index..].rotate_left(1);
-        splits.last().map(|(_, bent)| bent.clone())
+        splits.last().map(|(_, parts)| parts.clone())
     }
 
     /// Returns the moving objects in a pose of the scene; `rule` decides which edges are too long.

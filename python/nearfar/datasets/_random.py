@@ -17,7 +17,7 @@ _WORD = (1 << 64) - 1
 _AHEAD = 96
 
 
-class Draw:
+class RandomStream:
     """A stream of random numbers for one object of a scene, named by integers; streams are independent."""
 
     def __init__(self, seed: int, *name: int) -> None:

@@ -1,4 +1,4 @@
-//! Processing of directions in blocks and tiles. A kernel is called once per block; a task processes one tile.
+//! Processing of directions in blocks and chunks. A kernel is called once per block; a task processes one chunk.
 
 use glam::DVec3;
 use rayon::prelude::*;
@@ -6,8 +6,8 @@ use rayon::prelude::*;
 use super::blocks::BLOCK;
 use crate::base::{Progress, Real, Result, ensure};
 
-/// Number of directions in a tile.
-const TILE: usize = 1 << 13;
+/// Number of directions in a chunk.
+const CHUNK: usize = 1 << 13;
 
 /// Runs a kernel over directions, block by block; the last block is padded. The kernel returns the number of its
 /// directions that are zero or not finite. Returns the index of the first such direction.
@@ -31,9 +31,9 @@ pub(in crate::cubemap) fn process_blocks<T, D: Real>(
     if invalid_count == 0 { None } else { directions.iter().position(is_zero_or_not_finite) }
 }
 
-/// Runs a kernel over tiles of directions on the current thread pool. The kernel returns the index in its tile of the
+/// Runs a kernel over chunks of directions on the current thread pool. The kernel returns the index in its chunk of the
 /// first direction that is zero or not finite. Fails with the index of the first such direction of all.
-pub(in crate::cubemap) fn process_tiles<T: Send, D: Real>(
+pub(in crate::cubemap) fn process_chunks<T: Send, D: Real>(
     directions: &[[D; 3]],
     out: &mut [T],
     channels: usize,
@@ -43,9 +43,9 @@ pub(in crate::cubemap) fn process_tiles<T: Send, D: Real>(
     if channels == 0 {
         return check_first_invalid(directions.iter().position(is_zero_or_not_finite).unwrap_or(usize::MAX));
     }
-    let tiles = out.par_chunks_mut(TILE * channels).zip(directions.par_chunks(TILE)).enumerate();
-    let first_invalid = tiles.map(|(tile, (out, directions))| {
-        let index = kernel(directions, out).map_or(usize::MAX, |index| tile * TILE + index);
+    let chunks = out.par_chunks_mut(CHUNK * channels).zip(directions.par_chunks(CHUNK)).enumerate();
+    let first_invalid = chunks.map(|(chunk, (out, directions))| {
+        let index = kernel(directions, out).map_or(usize::MAX, |index| chunk * CHUNK + index);
         progress.check().map(|()| index)
     });
     check_first_invalid(first_invalid.try_reduce(|| usize::MAX, |a, b| Ok(a.min(b)))?)
