@@ -62,8 +62,8 @@ mod _core {
         render::frame::{encode_srgb, gather_frames, irradiance, render_truth, sample_offsets},
         render::reduced::Reduced,
         scene::decode::{
-            decode_meshopt, encode_meshopt_rows, encode_meshopt_triangles, parse_numbers, polygon_prisms, read_ply_rows,
-            read_wavefront, read_wkb, triangulate_faces, triangulate_polygons,
+            decode_meshopt, encode_meshopt_rows, encode_meshopt_triangles, parse_numbers, polygon_prisms,
+            read_ply_rows, read_wavefront, read_wkb, triangulate_faces, triangulate_polygons,
         },
         scene::levels::{Levels, mesh_parts, placements_of, scene_parts, with_instances, with_surfaces},
         scene::stored::StoredMeshes,

@@ -81,11 +81,7 @@ pub(super) struct Stream {
 
 impl Stream {
     pub fn rows<T: Pod>(attribute: Attribute, rows: &[T], compressed: bool) -> Result<Self> {
-        let bytes = if compressed {
-            encode_rows(rows)?
-        } else {
-            bytemuck::cast_slice(rows).to_vec()
-        };
+        let bytes = if compressed { encode_rows(rows)? } else { bytemuck::cast_slice(rows).to_vec() };
         Ok(Self { attribute, count: rows.len(), bytes, extent: None, error: 0.0 })
     }
 

@@ -259,7 +259,8 @@ mod tests {
             assert_eq!(bytes[0], 0xa0, "version 0, which the extension of glTF requires");
             assert_eq!(decode(&bytes, attributes(300, 4 * width, Filter::None)).unwrap(), words);
         }
-        let corners: Vec<u32> = (0..50u32).flat_map(|n| [4 * n, 4 * n + 1, 4 * n + 2, 4 * n + 2, 4 * n + 1, 4 * n + 3]).collect();
+        let corners: Vec<u32> =
+            (0..50u32).flat_map(|n| [4 * n, 4 * n + 1, 4 * n + 2, 4 * n + 2, 4 * n + 1, 4 * n + 3]).collect();
         let bytes = encode_triangles(&corners, 200).unwrap();
         assert!(bytes.len() < 150, "a byte and a half for each of 100 triangles: {}", bytes.len());
         assert_eq!(decode(&bytes, indices(300, 4, Mode::Triangles)).unwrap().len(), 300);
