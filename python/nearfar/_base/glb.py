@@ -116,8 +116,8 @@ class Writer:
         self._accessors.append(accessor)
         return len(self._accessors) - 1
 
-    def encode(self, document: dict[str, Any]) -> bytes:
-        """Encode the file. Empty lists are left out, because glTF does not allow them."""
+    def encode(self, document: dict[str, Any], *, spaces: bool = True) -> bytes:
+        """Encode the file, its JSON with spaces or not. Empty lists are left out: glTF does not allow them."""
         content = {
             **document,
             "accessors": self._accessors,
@@ -130,7 +130,7 @@ class Writer:
             for key in ("extensionsUsed", "extensionsRequired"):
                 content[key] = sorted({*content.get(key, []), MESHOPT})
         content = {key: value for key, value in content.items() if value != []}
-        text = json.dumps(content, separators=(",", ":"), allow_nan=False)
+        text = json.dumps(content, separators=None if spaces else (",", ":"), allow_nan=False)
         return _file(text, *([_CHUNK.pack(self._size, b"BIN\0"), *self._pieces] if self._size else []))
 
 

@@ -128,7 +128,7 @@ def encode(
         "scenes": [{"nodes": roots, "extras": {EXTRAS_KEY: extras}}],
     }
     return EncodedFile(
-        data=writer.encode(document),
+        data=writer.encode(document, spaces=False),
         error_px=0.0 if packed is None else packed.error_px,
         uv_error=0.0 if packed is None else packed.uv_error,
         near_error=0.0 if encoded is None else encoded.error_m,
