@@ -23,7 +23,7 @@ FIXED: dict[str, set[str]] = {
     r"(benchmarks|fuzz|tests/mutations)/": set(),
     r"scripts/mutations\.py|\.ci/landed": set(),
     r"tests/exporters/": {"scene"},
-    r"tests/readers/": {"lod", "orthoview", "stream"},
+    r"tests/readers/": {"impostor", "lod", "orthoview", "stream"},
     r"rust/gpu/": {"gpu", "orthoview", "reduce", "stereo"},
     r"rust/serve/": {"serve", "view"},
     r"(web|python/nearfar/view)/.*orthoview": {"orthoview"},

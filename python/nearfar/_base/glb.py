@@ -1,11 +1,14 @@
-"""Reader and writer of binary glTF 2.0 (GLB): one JSON document and one buffer of arrays, stored bit for bit."""
+"""Reader and writer of binary glTF 2.0 (GLB): one JSON document and one buffer of arrays, stored bit for bit.
+
+The writer can also add arrays that meshoptimizer packed.
+"""
 
 from __future__ import annotations
 
 import json
 import struct
 from collections.abc import Callable
-from typing import Any, Literal
+from typing import Any, Literal, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,6 +23,10 @@ _KINDS = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4"}
 
 Target = Literal["vertices", "faces"]
 _TARGETS = {"vertices": 34962, "faces": 34963}
+_MODES = {"vertices": "ATTRIBUTES", "faces": "TRIANGLES"}
+
+MESHOPT = "EXT_meshopt_compression"
+_CHUNK_BUFFER, _UNPACKED_BUFFER = 0, 1
 
 
 class Writer:
@@ -28,22 +35,62 @@ class Writer:
     def __init__(self) -> None:
         self._pieces: list[bytes] = []
         self._size = 0
+        self._unpacked = 0
+        """Bytes of all packed arrays when they are unpacked."""
         self._views: list[dict[str, Any]] = []
         self._accessors: list[dict[str, Any]] = []
+
+    @classmethod
+    def adding_to(cls, data: bytes) -> tuple[Self, dict[str, Any]]:
+        """Return a writer that has the arrays of a GLB without external buffers, and the rest of its document."""
+        document, end = header(data)
+        writer = cls()
+        writer._views, writer._accessors = document.pop("bufferViews", []), document.pop("accessors", [])
+        sizes = [buffer["byteLength"] for buffer in document.pop("buffers", [])]
+        content = binary(data, end)[: sizes[_CHUNK_BUFFER]] if sizes else b""
+        writer._append(bytes(content))
+        writer._unpacked = sizes[_UNPACKED_BUFFER] if len(sizes) > 1 else 0
+        return writer, document
 
     def view(self, values: NDArray[Any] | bytes, target: Target | None = None) -> int:
         """Add bytes to the buffer and return the index of their view."""
         data = values if isinstance(values, bytes) else np.ascontiguousarray(values).tobytes()
-        view: dict[str, Any] = {"buffer": 0, "byteOffset": self._size, "byteLength": len(data)}
+        view = self._append(data)
         if target == "vertices" and not isinstance(values, bytes):
             view["byteStride"] = values.itemsize * values.shape[1]
         if target is not None:
             view["target"] = _TARGETS[target]
+        self._views.append(view)
+        return len(self._views) - 1
+
+    def packed_view(self, data: bytes, target: Target, *, count: int, stride: int, exponential: bool = False) -> int:
+        """Add an array of `count` rows of `stride` bytes that meshoptimizer packed; return the index of its view.
+
+        With `exponential`, each word is a signed mantissa of 24 bits and, above it, an exponent of 8 bits.
+        """
+        packed = {**self._append(data), "byteStride": stride, "count": count, "mode": _MODES[target]}
+        if exponential:
+            packed["filter"] = "EXPONENTIAL"
+        view: dict[str, Any] = {
+            "buffer": _UNPACKED_BUFFER,
+            "byteOffset": self._unpacked,
+            "byteLength": count * stride,
+            "target": _TARGETS[target],
+            "extensions": {MESHOPT: packed},
+        }
+        if target == "vertices":
+            view["byteStride"] = stride
+        self._unpacked += count * stride + -(count * stride) % 4
+        self._views.append(view)
+        return len(self._views) - 1
+
+    def _append(self, data: bytes) -> dict[str, Any]:
+        """Add bytes to the buffer; return their place."""
+        place = {"buffer": _CHUNK_BUFFER, "byteOffset": self._size, "byteLength": len(data)}
         padding = -len(data) % 4
         self._pieces += [data, bytes(padding)]
         self._size += len(data) + padding
-        self._views.append(view)
-        return len(self._views) - 1
+        return place
 
     def accessor(
         self, view: int, values: NDArray[Any], start: int, *, normalized: bool = False, extent: Any = None
@@ -69,15 +116,21 @@ class Writer:
         self._accessors.append(accessor)
         return len(self._accessors) - 1
 
-    def encode(self, document: dict[str, Any]) -> bytes:
-        """Encode the file. Empty lists are left out, because glTF does not allow them."""
+    def encode(self, document: dict[str, Any], *, spaces: bool = True) -> bytes:
+        """Encode the file, its JSON with spaces or not. Empty lists are left out: glTF does not allow them."""
         content = {
             **document,
             "accessors": self._accessors,
             "bufferViews": self._views,
             "buffers": [{"byteLength": self._size}] if self._size else [],
         }
-        text = json.dumps({key: value for key, value in content.items() if value != []}, allow_nan=False)
+        if self._unpacked:
+            # The extension requires a buffer without data, in which packed arrays have a place.
+            content["buffers"].append({"byteLength": self._unpacked, "extensions": {MESHOPT: {"fallback": True}}})
+            for key in ("extensionsUsed", "extensionsRequired"):
+                content[key] = sorted({*content.get(key, []), MESHOPT})
+        content = {key: value for key, value in content.items() if value != []}
+        text = json.dumps(content, separators=None if spaces else (",", ":"), allow_nan=False)
         return _file(text, *([_CHUNK.pack(self._size, b"BIN\0"), *self._pieces] if self._size else []))
 
 

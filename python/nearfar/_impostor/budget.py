@@ -117,4 +117,4 @@ class Budget:
 
     def _file_size(self, baked: Baked) -> int:
         near = self._zones.scene.subset(triangles=baked.near)
-        return len(file.encode(baked.quads, self._region, near=near))
+        return len(file.encode(baked.quads, self._region, near=near).data)

@@ -121,7 +121,7 @@ class Quads:
     def scene(self, center: Point, origin: NDArray[np.float64], taken: Collection[str] = ()) -> Scene:
         """Make a scene of the quads about a centre: one object with a name that is not taken, and two materials."""
         build = SceneBuilder()
-        opaque = BaseColor(texture=self.atlas, unlit=True, sampler=_SAMPLER, undrawn=_MATERIAL)
+        opaque = BaseColor(texture=self.atlas, unlit=True, sampler=_SAMPLER, undrawn=MATERIAL)
         numbers = [build._materials.add(replace(opaque, cutoff=cutoff)) for cutoff in (None, CUTOFF)]
         is_masked = self.masked[self.owners]
         order = np.argsort(is_masked, kind="stable")
@@ -149,4 +149,4 @@ def _material() -> GltfMaterial:
     return GltfMaterial(material, (TextureSource(sampler=json.dumps(sampler)),))
 
 
-_MATERIAL = _material()
+MATERIAL = _material()

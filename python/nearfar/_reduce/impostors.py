@@ -20,7 +20,7 @@ from nearfar._camera.camera import Camera
 from nearfar._camera.shot import Shot
 from nearfar._impostor import file
 from nearfar._impostor.bake import Region
-from nearfar._impostor.file import Geometry, Textures
+from nearfar._impostor.file import EncodedFile, Geometry, Textures
 from nearfar._impostor.quads import Point, Quads
 from nearfar._impostor.settings import ImpostorSettings
 from nearfar._reduce import default_radii, folder, stages
@@ -155,13 +155,13 @@ class Impostors(Renderable):
         published: ReducedScene | None = None,
         textures: Textures = "webp",
         geometry: Geometry = "meshopt",
-    ) -> None:
+    ) -> tuple[str, ...]:
         """Write a folder that engines and nearfar can read, atomically.
 
         `light.glb` has near and far part, `near.glb` and `far.glb` one of them each. `far.exr` is the map of the
         published method, which `nearfar.ReducedScene.load` shows with `near.glb`. `reduced.json` has all other data.
         In `light.glb` and `far.glb` positions are relative to O, whose world position is `extras.nearfar.center` of the
-        file's scene. ValueError for impostors that `load` read, or another reduction's centre or r2; OSError if the
+        file's scene. The near part of `light.glb` has nearfar's light in its vertex colours. ValueError for impostors that `load` read, or another reduction's centre or r2; OSError if the
         folder cannot be written or contains other files.
 
         Parameters
@@ -174,8 +174,12 @@ class Impostors(Renderable):
         textures
             "webp": the texture of the quads in quality 80 with `EXT_texture_webp`, which readers need. "png": lossless.
         geometry
-            "meshopt": positions in 16 bits, compressed, for readers with `EXT_meshopt_compression` and
-            `KHR_mesh_quantization`. "plain": float32, for any reader.
+            "meshopt": compressed by `EXT_meshopt_compression`, which readers need. "plain": for any reader.
+
+        Returns
+        -------
+        tuple of str
+            What `light.glb` does not show of the near part, in words.
         """
         check.choice("textures", textures, file.TEXTURES)
         check.choice("geometry", geometry, file.GEOMETRIES)
@@ -198,10 +202,14 @@ class Impostors(Renderable):
             published._counts,
             impostors=self._document(),
         )
-        extra = {folder.LIGHT: self._encoded("all", textures, geometry)}
+        extra, lost = {}, ()
+        if self.triangle_count:
+            light = self._encoded("all", textures, geometry)
+            extra, lost = {folder.LIGHT: light.data}, light.lost
         if self._quads is not None:
-            extra[folder.QUADS] = self._encoded("far", textures, geometry)
+            extra[folder.QUADS] = self._encoded("far", textures, geometry).data
         folder.save(path, contents, half=True, extra=extra)
+        return lost
 
     def save_glb(
         self,
@@ -210,7 +218,7 @@ class Impostors(Renderable):
         part: Part = "all",
         textures: Textures = "webp",
         geometry: Geometry = "meshopt",
-    ) -> None:
+    ) -> tuple[str, ...]:
         """Write near and far part, or the far part alone, as one GLB, as in `save`, atomically.
 
         ValueError for a far part without quads, or a texture too large for WebP; OSError if the file cannot be written.
@@ -223,16 +231,24 @@ class Impostors(Renderable):
             "all" or "far".
         textures, geometry
             As in `save`.
+
+        Returns
+        -------
+        tuple of str
+            As in `save`.
         """
         target = check.path("path", path, ".glb")
         check.choice("part", part, ("all", "far"))
         check.choice("textures", textures, file.TEXTURES)
         check.choice("geometry", geometry, file.GEOMETRIES)
-        data = self._encoded(part, textures, geometry)
+        encoded = self._encoded(part, textures, geometry)
         with files.atomic_file(target) as aside:
-            files.write(aside, data)
+            files.write(aside, encoded.data)
+        return encoded.lost
 
-    def _encoded(self, part: Part, textures: Textures, geometry: Geometry) -> bytes:
+    def _encoded(self, part: Part, textures: Textures, geometry: Geometry) -> EncodedFile:
+        if not self.triangle_count:
+            raise ValueError("save_glb: expected triangles, got none")
         if self._quads is None and (part == "far" or self.far is not None):
             reason = "got none" if self.far is None else "got those of a folder, whose files can be copied"
             raise ValueError(f"save: expected impostors with quads, {reason}")

@@ -130,7 +130,7 @@ def _explain_fit(scene: Scene, region: Region, settings: ImpostorSettings) -> st
     triangles, size = settings.triangles, settings.bytes
     if (triangles is None and size is None) or scene.triangle_count > (triangles or scene.triangle_count):
         return ""
-    if size is not None and len(file.encode(None, region, near=scene)) > size:
+    if size is not None and len(file.encode(None, region, near=scene).data) > size:
         return ""
     kept = " and ".join(f"{limit:,} {name}" for limit, name in ((triangles, "triangles"), (size, "bytes")) if limit)
     return f"the scene fits into {kept} as it is, so nothing was baked"

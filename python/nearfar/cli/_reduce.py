@@ -129,10 +129,11 @@ def reduce(
             with clock.step("published radii"):
                 frames["published"] = reduced.with_r1(published_r1).render(view, **drawing)
         with clock.step("files"):
+            lost: tuple[str, ...] = ()
             if impostors is None:
                 reduced.save(folder)
             else:
-                impostors.save(folder, published=reduced, textures=far.textures, geometry=far.geometry)
+                lost = impostors.save(folder, published=reduced, textures=far.textures, geometry=far.geometry)
             if equirectangular is not None and reduced.env is not None:
                 reduced.env.save_equirectangular(folder / f"far-equirectangular.{equirectangular}")
         with clock.step("pictures"):
@@ -152,7 +153,7 @@ def reduce(
             **{name: getattr(loading, name) for name in ("up", "on_invalid", "scale", "blend")},
             "parts": {name: value for name in PARTS if (value := getattr(loading, name)) is not None},
             "unit_note": loaded.report.unit_note,
-            "notes": list(loaded.report.notes),
+            "notes": [*loaded.report.notes, *(f"light.glb: {note}" for note in lost)],
             "triangles": int(loaded.triangle_count),
             "triangles_left": int(reduced.stats["drawn"]) if impostors is None else impostors.triangle_count,
             "map_bytes": int(reduced.stats["map_bytes"]),

@@ -2,22 +2,18 @@
 
 use bytemuck::Pod;
 use glam::{IVec3, Vec3};
-use meshopt::{decode_filter_oct, encode_index_buffer, encode_vertex_buffer_level};
+use meshopt::decode_filter_oct;
 
 use super::gather::Primitive;
 use super::grid::Grid;
 use super::statistics::{Kind, Statistics};
-use crate::base::{Error, Result};
+use crate::base::Result;
+use crate::scene::meshopt::{encode_rows, encode_triangles};
 
 const BYTE: u32 = 5120;
 const UNSIGNED_SHORT: u32 = 5123;
 const UNSIGNED_INT: u32 = 5125;
 const FLOAT: u32 = 5126;
-
-/// Compression level: meshoptimizer's default. Only version 1 of the codec uses it.
-const CODEC_LEVEL: i32 = 2;
-/// `EXT_meshopt_compression` requires version 0.
-const CODEC_VERSION: Option<i32> = Some(0);
 
 /// Maximum number of vertices for 16-bit corners. Some graphics APIs reserve index 65535 for primitive restart.
 const MAX_SHORT: usize = u16::MAX as usize;
@@ -85,11 +81,7 @@ pub(super) struct Stream {
 
 impl Stream {
     pub fn rows<T: Pod>(attribute: Attribute, rows: &[T], compressed: bool) -> Result<Self> {
-        let bytes = if compressed {
-            encode_vertex_buffer_level(rows, CODEC_LEVEL, CODEC_VERSION).map_err(encoding_error)?
-        } else {
-            bytemuck::cast_slice(rows).to_vec()
-        };
+        let bytes = if compressed { encode_rows(rows)? } else { bytemuck::cast_slice(rows).to_vec() };
         Ok(Self { attribute, count: rows.len(), bytes, extent: None, error: 0.0 })
     }
 
@@ -104,7 +96,7 @@ impl Stream {
     fn corners(corners: &[u32], vertex_count: usize, compressed: bool) -> Result<Self> {
         let short = vertex_count <= MAX_SHORT;
         let bytes = match (compressed, short) {
-            (true, _) => encode_index_buffer(corners, vertex_count).map_err(encoding_error)?,
+            (true, _) => encode_triangles(corners, vertex_count)?,
             (false, true) => corners.iter().flat_map(|&corner| (corner as u16).to_le_bytes()).collect(),
             (false, false) => bytemuck::cast_slice(corners).to_vec(),
         };
@@ -161,8 +153,4 @@ fn unit_normals(coordinates: &[[i8; 4]]) -> Vec<[f32; 3]> {
     decode_filter_oct(&mut coordinates);
     let unit = |&[x, y, z, _]: &[i8; 4]| Vec3::from_array([x, y, z].map(f32::from)).normalize_or_zero().to_array();
     coordinates.iter().map(unit).collect()
-}
-
-fn encoding_error(error: meshopt::Error) -> Error {
-    Error::value("mesh", "arrays that meshoptimizer can encode", error)
 }

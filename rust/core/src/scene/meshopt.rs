@@ -1,11 +1,19 @@
-//! Decoder for streams compressed by meshoptimizer, as in glTF's `EXT_meshopt_compression` and
-//! `KHR_meshopt_compression`.
+//! Encoder and decoder of streams compressed by meshoptimizer: it writes `EXT_meshopt_compression` of glTF, and reads
+//! also `KHR_meshopt_compression`.
 
-use bytemuck::cast_slice_mut;
-use meshopt::{decode_filter_color, decode_filter_exp, decode_filter_oct, decode_filter_quat, ffi};
+use bytemuck::{Pod, cast_slice_mut};
+use meshopt::{
+    decode_filter_color, decode_filter_exp, decode_filter_oct, decode_filter_quat, encode_index_buffer,
+    encode_vertex_buffer_level, ffi,
+};
 
 use crate::base::memory::room_for;
-use crate::base::{Error, Result};
+use crate::base::{Error, Result, ensure};
+
+/// Compression level: meshoptimizer's default. Only version 1 of the codec uses it.
+const CODEC_LEVEL: i32 = 2;
+/// `EXT_meshopt_compression` requires version 0.
+const CODEC_VERSION: Option<i32> = Some(0);
 
 /// Maximum bytes of rows in one attribute block.
 const BLOCK_BYTES: usize = 8192;
@@ -57,6 +65,34 @@ pub struct Layout {
     pub mode: Mode,
     /// Filter of attributes; `None` for other modes.
     pub filter: Filter,
+}
+
+/// Encodes rows of vertex attributes, to which a filter has been applied. Rows have a multiple of 4 bytes, up to 256.
+pub fn encode_rows<T: Pod>(rows: &[T]) -> Result<Vec<u8>> {
+    encode_vertex_buffer_level(rows, CODEC_LEVEL, CODEC_VERSION).map_err(encoding_error)
+}
+
+/// Encodes rows of 1 to 4 words of vertex attributes, to which a filter has been applied.
+pub fn encode_words(words: &[u32], width: usize) -> Result<Vec<u8>> {
+    match width {
+        1 => encode_rows(words.as_chunks::<1>().0),
+        2 => encode_rows(words.as_chunks::<2>().0),
+        3 => encode_rows(words.as_chunks::<3>().0),
+        4 => encode_rows(words.as_chunks::<4>().0),
+        _ => Err(Error::value("rows", "1 to 4 words in each", width)),
+    }
+}
+
+/// Encodes the corners of triangles. The stream is smallest if vertices are numbered in the order of their first use.
+pub fn encode_triangles(corners: &[u32], vertex_count: usize) -> Result<Vec<u8>> {
+    ensure!(corners.len().is_multiple_of(3), "corners", "three for each triangle", corners.len());
+    let largest = corners.iter().max().map_or(0, |&corner| corner as usize + 1);
+    ensure!(largest <= vertex_count, "corners", format!("numbers below {vertex_count}"), largest - 1);
+    encode_index_buffer(corners, vertex_count).map_err(encoding_error)
+}
+
+fn encoding_error(error: meshopt::Error) -> Error {
+    Error::value("mesh", "arrays that meshoptimizer can encode", error)
 }
 
 /// Decodes a stream to `count * stride` bytes, as words for alignment; the last word may have two unused bytes.
@@ -147,7 +183,7 @@ fn filter(words: &mut [u32], layout: Layout) {
 #[cfg(test)]
 mod tests {
     use bytemuck::cast_slice;
-    use meshopt::{encode_filter_color, encode_index_buffer, encode_index_sequence, encode_vertex_buffer_level};
+    use meshopt::{encode_filter_color, encode_index_sequence};
 
     use super::*;
 
@@ -213,6 +249,24 @@ mod tests {
         let short = decode(&bytes, indices(any.len(), 2, Mode::Indices)).unwrap();
         assert_eq!(short.len(), 4);
         assert!(cast_slice::<_, u16>(&short)[..any.len()].iter().copied().map(u32::from).eq(any));
+    }
+
+    #[test]
+    fn encoded_words_and_triangles_are_decoded_and_bad_ones_refused() {
+        for width in 1..=4 {
+            let words = noise(300 * width);
+            let bytes = encode_words(&words, width).unwrap();
+            assert_eq!(bytes[0], 0xa0, "version 0, which the extension of glTF requires");
+            assert_eq!(decode(&bytes, attributes(300, 4 * width, Filter::None)).unwrap(), words);
+        }
+        let corners: Vec<u32> =
+            (0..50u32).flat_map(|n| [4 * n, 4 * n + 1, 4 * n + 2, 4 * n + 2, 4 * n + 1, 4 * n + 3]).collect();
+        let bytes = encode_triangles(&corners, 200).unwrap();
+        assert!(bytes.len() < 150, "a byte and a half for each of 100 triangles: {}", bytes.len());
+        assert_eq!(decode(&bytes, indices(300, 4, Mode::Triangles)).unwrap().len(), 300);
+        assert!(encode_words(&[0; 5], 5).unwrap_err().to_string().contains("1 to 4 words"));
+        assert!(encode_triangles(&[0, 1], 2).unwrap_err().to_string().contains("three for each"));
+        assert!(encode_triangles(&[0, 1, 2], 2).unwrap_err().to_string().contains("below 2"));
     }
 
     /// Values from meshoptimizer's own tests (demo/tests.cpp: decodeFilterOct8, Oct12, Quat12, Exp).

@@ -4,7 +4,7 @@ use std::mem;
 
 use nearfar_core::base::memory::try_copy;
 use nearfar_core::render::reduced::FrameCounts;
-use nearfar_core::render::{Channels, Frame, Limits, Moving, Pixels, Segment, tiles, truth};
+use nearfar_core::render::{Channels, Frame, Limits, Moving, Pixels, Segment, shade, tiles, truth};
 use nearfar_core::scene::srgb::srgb_from_all_linear;
 use numpy::ndarray::IntoDimension;
 use numpy::{Element, PyArray1, PyArrayMethods, PyUntypedArrayMethods};
@@ -13,7 +13,9 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::camera::Camera;
-use crate::convert::{Array1, Array3, Read1, Read2, Read3, ReadAny, Report, filled, run, to_python};
+use crate::convert::{
+    Array1, Array2, Array3, Read1, Read2, Read3, ReadAny, Report, array_of_rows, filled, run, to_python,
+};
 use crate::scene::Scene;
 
 /// Settings of a picture that all renderers take in addition to the camera, by the names in `Shot.settings`.
@@ -117,6 +119,14 @@ fn put<T: Element, S: IntoDimension>(images: &Bound<'_, PyDict>, name: &str, val
         return Ok(());
     }
     images.set_item(name, PyArray1::from_vec(images.py(), values).reshape(shape)?)
+}
+
+/// Linear RGB (N, 3) that white surfaces with unit normals (N, 3) reflect towards their outer side.
+#[pyfunction]
+pub fn irradiance<'py>(py: Python<'py>, normals: Read2<'py, f32>) -> PyResult<Array2<'py, f32>> {
+    let normals = normals.as_slice()?.as_chunks::<3>().0;
+    let light = run::short(py, || Ok(normals.iter().map(|&n| shade::irradiance(n.into())).collect()))?;
+    array_of_rows(py, light)
 }
 
 /// Encodes linear values as sRGB codes, in a one-dimensional array.

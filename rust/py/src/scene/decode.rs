@@ -1,14 +1,15 @@
 //! Bindings of decoders: OBJ, PLY, meshoptimizer's streams in glTF, polygons in WKB; and faces of polygons.
 
 use nearfar_core::base::Result;
-use nearfar_core::scene::meshopt::{Filter, Layout, Mode, decode};
+use nearfar_core::scene::meshopt::{Filter, Layout, Mode, decode, encode_triangles, encode_words};
 use nearfar_core::scene::ply::{self, ScalarType};
 use nearfar_core::scene::polygons::{Faces, Polygons, prisms, triangulate, triangulate_faces as faces_in_space, wkb};
 use nearfar_core::scene::wavefront::{self, Skipped};
-use numpy::IntoPyArray;
+use numpy::{IntoPyArray, PyUntypedArrayMethods};
 use pyo3::prelude::*;
+use pyo3::types::PyBytes;
 
-use crate::convert::{Array1, Array2, Read1, Read2, array_of_rows, choice, run, to_python};
+use crate::convert::{Array1, Array2, Read1, Read2, array_of_rows, bytes_of, choice, run, to_python};
 
 type Rows<'py, T> = Array2<'py, T>;
 /// Indices of the object's and material's names, index rows of the vertices, and triangles.
@@ -111,6 +112,24 @@ pub fn decode_meshopt<'py>(
     let bytes = data.as_slice()?;
     let words = run::short(py, || decode(bytes, Layout { count, stride, mode, filter }))?;
     Ok(words.into_pyarray(py))
+}
+
+/// Encodes rows (N, 1 to 4) of 32-bit words of vertex attributes, to which a filter has been applied.
+#[pyfunction]
+pub fn encode_meshopt_rows<'py>(py: Python<'py>, rows: Read2<'py, u32>) -> PyResult<Bound<'py, PyBytes>> {
+    let (words, width) = (rows.as_slice()?, rows.shape()[1]);
+    bytes_of(py, &run::short(py, || encode_words(words, width))?)
+}
+
+/// Encodes the corners of triangles (F, 3), numbers below `vertex_count`.
+#[pyfunction]
+pub fn encode_meshopt_triangles<'py>(
+    py: Python<'py>,
+    faces: Read2<'py, u32>,
+    vertex_count: usize,
+) -> PyResult<Bound<'py, PyBytes>> {
+    let corners = faces.as_slice()?;
+    bytes_of(py, &run::short(py, || encode_triangles(corners, vertex_count))?)
 }
 
 /// Faces (F, 3), their offsets by polygon, and numbers of polygons that have other faces than their outlines ask for.
