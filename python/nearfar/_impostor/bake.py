@@ -126,6 +126,7 @@ class _Settings:
         return {
             "center": self.center,
             "reach": self.reach,
+            "height": min(0.5, 0.5 * self.reach),
             "r2": self.r2,
             "size": self.face_size,
             "angle": math.radians(self.error_px / PIXELS_PER_DEGREE),
