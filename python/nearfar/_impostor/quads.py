@@ -119,8 +119,8 @@ class Quads:
     def scene(self, center: Point, origin: NDArray[np.float64], names: Sequence[str] = ()) -> Scene:
         """Make a scene of the quads about a centre, with two materials.
 
-        `names` are those of the objects by number; quads without one, or all quads without names, belong to an object
-        with another name.
+        `names` are those of the objects by number; a quad without a number belongs to an object with another name.
+        Without names all quads are one object.
         """
         build = SceneBuilder()
         opaque = BaseColor(texture=self.atlas, unlit=True, sampler=_SAMPLER, undrawn=_MATERIAL)
@@ -130,19 +130,17 @@ class Quads:
         is_masked = self.masked[self.owners]
         order = np.argsort(is_masked, kind="stable")
         materials = np.where(is_masked, masked_number, opaque_number)[order]
-        numbers, objects = np.unique(self.objects if names else np.full(len(self), -1), return_inverse=True)
-        build.objects([names[number] if number >= 0 else _free_name(names) for number in numbers.tolist()])
+        owners: NDArray[np.intp] | None = None
+        if names:
+            numbers, objects = np.unique(self.objects, return_inverse=True)
+            build.objects([names[number] if number >= 0 else _free_name(names) for number in numbers.tolist()])
+            owners = objects[self.owners[order]]
         mesh = build.mesh(
-            self.vertices,
-            self.faces[order],
-            material=materials,
-            uvs=self.uvs,
-            face_object=objects[self.owners[order]],
-            copy=True,
+            self.vertices, self.faces[order], material=materials, uvs=self.uvs, face_object=owners, copy=True
         )
         place = np.eye(4)
         place[:3, 3] = center
-        build.instance(mesh, place)
+        build.instance(mesh, place, name=None if names else _NAME)
         return Scene(**build._assemble(origin=origin))
 
 
