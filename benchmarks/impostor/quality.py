@@ -19,6 +19,7 @@ from benchmarks.harness.views import GOLDEN, Point, center_for, views
 from nearfar.cli._page import caption
 
 SAMPLES = 4
+RADIANS_PER_PIXEL = np.radians(1.0 / 20.0)
 CITY, R2 = "procedural city", 50.0
 
 
@@ -81,6 +82,18 @@ def cases(size: tuple[int, int], count: int, quick: bool) -> Iterator[Case]:
     yield Case("forest", forest, middle, ring(forest, middle, 4.0, size, count), 30.0, settings)
 
 
+def misplaced(truth: nf.Frame, frame: nf.Frame, reach: float) -> tuple[float, float]:
+    """Share of pixels, in percent, that miss a surface, and of those that show another depth.
+
+    The depth is another one if the inverse of the range is off by more than 2 px/(f R): for f = 1,146 pixels per
+    radian, the difference that moves a point by 2 pixels when a user walks the radius R of the region.
+    """
+    expected, found = (1.0 / shown.require("range").astype(np.float64) for shown in (truth, frame))
+    is_missing = (expected > 0.0) & (found == 0.0)
+    is_off = ~is_missing & (np.abs(expected - found) > 2.0 * RADIANS_PER_PIXEL / reach)
+    return 100.0 * float(is_missing.mean()), 100.0 * float(is_off.mean())
+
+
 def measure(case: Case, folder: Path) -> list[Any]:
     """Bake, save and draw a case; return a row of the table."""
     since = time.perf_counter()
@@ -91,22 +104,36 @@ def measure(case: Case, folder: Path) -> list[Any]:
     quality = []
     for camera in case.users:
         truth, frame, map_frame = (
-            nf.render(source, camera, samples=SAMPLES, channels=("color",))
+            nf.render(source, camera, samples=SAMPLES, channels=("color", "range"))
             for source in (case.scene, impostors, mapped)
         )
-        quality.append([*similarity(truth, frame), *similarity(truth, map_frame)])
+        places = misplaced(truth, frame, impostors.reach)
+        quality.append([*similarity(truth, frame), *places, *similarity(truth, map_frame)])
     path = folder / "far.glb"
     impostors.save_glb(path, part="far")
-    psnr, ssim, map_psnr, map_ssim = np.mean(quality, axis=0).tolist()
+    psnr, ssim, missing, off, map_psnr, map_ssim = np.mean(quality, axis=0).tolist()
     worst = float(np.min(quality, axis=0)[0])
     stats = impostors.stats
     counts = [len(case.users), stats["near_triangles"], stats["triangles"], stats["error_px"]]
-    return [case.label, *counts, path.stat().st_size / 1e3, psnr, ssim, worst, map_psnr, map_ssim, seconds]
+    return [
+        case.label,
+        *counts,
+        path.stat().st_size / 1e3,
+        psnr,
+        ssim,
+        worst,
+        missing,
+        off,
+        map_psnr,
+        map_ssim,
+        seconds,
+    ]
 
 
 HEADER = (
     "scene | users | near triangles {:,} | far triangles {:,} | error, px {:.3g} | kB {:,.0f} | PSNR, dB {:.1f} |"
-    " SSIM {:.3f} | worst PSNR, dB {:.1f} | map's PSNR, dB {:.1f} | map's SSIM {:.3f} | bake, s {:.1f}"
+    " SSIM {:.3f} | worst PSNR, dB {:.1f} | missing, % {:.3f} | off, % {:.2f} | map's PSNR, dB {:.1f} |"
+    " map's SSIM {:.3f} | bake, s {:.1f}"
 )
 
 

@@ -68,6 +68,23 @@ def test_ground_has_no_gap_at_r2_and_triangles_across_it_are_drawn_whole(
     assert holes <= 4
 
 
+def test_pictures_have_the_object_numbers_and_normals_of_surfaces(scene: nf.Scene, impostors: nf.Impostors) -> None:
+    shares: list[tuple[float, float]] = []
+    for user in USERS:
+        truth, frame = (
+            nf.render(shown, view(np.add(CENTER, user)), channels=("range", "object_id", "normal"))
+            for shown in (scene, impostors)
+        )
+        is_far = np.isfinite(truth.require("range")) & (truth.require("range") > R2 + REACH)
+        is_same = truth.require("object_id") == frame.require("object_id")
+        cosine = (truth.require("normal") * frame.require("normal")).sum(axis=-1)
+        shares.append((is_same[is_far].mean(), (cosine > 0.98)[is_far].mean()))
+    objects, normals = np.array(shares).T
+    assert objects.min() > 0.98
+    # Where the bound allows it, a plane shows surfaces that slant in another way.
+    assert normals.mean() > 0.8
+
+
 def test_a_moving_object_beyond_r2_is_drawn_and_can_be_posed(scene: nf.Scene, impostors: nf.Impostors) -> None:
     number = scene.object_names.index("car")
     camera = view(np.array(CENTER))

@@ -66,6 +66,7 @@ def bake(zones: Partition, region: Region, settings: ImpostorSettings) -> Baked:
     arguments: dict[str, Any] = {
         "center": region.center,
         "reach": region.reach,
+        "height": min(0.5, 0.5 * region.reach) if settings.height is None else min(settings.height, region.reach),
         "r2": region.r2,
         "size": settings.face_size,
         "angle": math.radians(settings.error_px / PIXELS_PER_DEGREE),

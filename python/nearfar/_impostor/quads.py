@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Collection
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, Self
@@ -44,6 +44,8 @@ class Quads:
     """(F, 3) vertex numbers."""
     owners: NDArray[np.int32]
     """(F,) quad of each face."""
+    objects: NDArray[np.int32]
+    """(Q,) number of the object of most of each quad's texels; −1 without one."""
     masked: NDArray[np.bool_]
     """(Q,) whether each quad has transparent texels."""
     atlas: NDArray[np.uint8]
@@ -55,7 +57,7 @@ class Quads:
     def from_kernel(cls, baked: dict[str, Any]) -> Self:
         """Take the quads of `_core.bake_impostors`."""
         layers = tuple((tuple(center), count) for center, count in baked["layers"])
-        arrays = {name: baked[name] for name in ("vertices", "faces", "masked", "atlas")}
+        arrays = {name: baked[name] for name in ("vertices", "faces", "objects", "masked", "atlas")}
         # Rounded so that 1 − v is exact: files have v downwards.
         uvs = np.column_stack([baked["uv"][:, 0], _ONE - (_ONE - baked["uv"][:, 1])])
         return cls(**arrays, uvs=uvs, owners=baked["quads"], layers=layers)
@@ -113,27 +115,41 @@ class Quads:
             uvs=self.uvs[rows],
             faces=corners.reshape(-1, 3).astype(np.uint32),
             owners=numbers[self.owners[chosen]].astype(np.int32),
+            objects=self.objects[is_kept],
             masked=self.masked[is_kept],
             atlas=atlas,
             layers=tuple((at, int(part.sum())) for (at, _), part in zip(self.layers, parts, strict=True)),
         )
 
-    def scene(self, center: Point, origin: NDArray[np.float64], taken: Collection[str] = ()) -> Scene:
-        """Make a scene of the quads about a centre: one object with a name that is not taken, and two materials."""
+    def scene(self, center: Point, origin: NDArray[np.float64], names: Sequence[str] = ()) -> Scene:
+        """Make a scene of the quads about a centre, with two materials.
+
+        `names` are those of the objects by number; a quad without a number belongs to an object with another name.
+        Without names all quads are one object.
+        """
         build = SceneBuilder()
         opaque = BaseColor(texture=self.atlas, unlit=True, sampler=_SAMPLER, undrawn=MATERIAL)
-        numbers = [build._materials.add(replace(opaque, cutoff=cutoff)) for cutoff in (None, CUTOFF)]
+        opaque_number, masked_number = (
+            build._materials.add(replace(opaque, cutoff=cutoff)) for cutoff in (None, CUTOFF)
+        )
         is_masked = self.masked[self.owners]
         order = np.argsort(is_masked, kind="stable")
-        materials = np.where(is_masked, numbers[1], numbers[0])[order]
-        mesh = build.mesh(self.vertices, self.faces[order], material=materials, uvs=self.uvs, copy=True)
+        materials = np.where(is_masked, masked_number, opaque_number)[order]
+        owners: NDArray[np.intp] | None = None
+        if names:
+            numbers, objects = np.unique(self.objects, return_inverse=True)
+            build.objects([names[number] if number >= 0 else _free_name(names) for number in numbers.tolist()])
+            owners = objects[self.owners[order]]
+        mesh = build.mesh(
+            self.vertices, self.faces[order], material=materials, uvs=self.uvs, face_object=owners, copy=True
+        )
         place = np.eye(4)
         place[:3, 3] = center
-        build.instance(mesh, place, name=_free_name(taken))
+        build.instance(mesh, place, name=None if names else _NAME)
         return Scene(**build._assemble(origin=origin))
 
 
-def _free_name(taken: Collection[str]) -> str:
+def _free_name(taken: Sequence[str]) -> str:
     name, number = _NAME, 1
     while name in taken:
         number += 1

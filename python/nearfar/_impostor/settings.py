@@ -29,6 +29,9 @@ class ImpostorSettings:
     reach
         Radius in metres, less than r2, of the sphere about O within which the error holds for users' eyes. None is the
         lesser of 8 m and half of r2.
+    height
+        Distance in metres, at least 0, that users' eyes are expected to move above and below O: probes there look for
+        what is missing. The error holds in the whole sphere. None is the lesser of 0.5 m and half of `reach`.
     error_px
         Greatest angle, in pixels of a headset with 20 pixels per degree, above 0 to 100, by which a user within `reach`
         sees the centre of a texel beside its place.
@@ -51,6 +54,7 @@ class ImpostorSettings:
     """
 
     reach: float | None = None
+    height: float | None = None
     error_px: float = 2.0
     face_size: int = 1024
     centers: int = 16
@@ -65,6 +69,7 @@ class ImpostorSettings:
         set_fields(
             self,
             reach=None if self.reach is None else check.positive("reach", self.reach),
+            height=None if self.height is None else check.at_least_zero("height", self.height),
             error_px=check.in_range("error_px", error, 0.0, MAX_ERROR_PX),
             face_size=check.integer("face_size", self.face_size, MIN_FACE_SIZE, MAX_FACE_SIZE),
             centers=check.integer("centers", self.centers, 1, MAX_CENTERS),
@@ -79,6 +84,7 @@ class ImpostorKeywords(TypedDict, total=False):
     """Fields of `ImpostorSettings` as keywords; a test compares both."""
 
     reach: float | None
+    height: float | None
     error_px: float
     face_size: int
     centers: int

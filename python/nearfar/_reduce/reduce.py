@@ -110,7 +110,7 @@ def reduce(
         `ImpostorSettings`.
     keywords
         Fields of `settings`, which they replace: `face_size`, `samples`, `channels`, `range_dtype`, `backend`; or for
-        impostors `reach`, `error_px`, `face_size`, `centers`, `missing`, `triangles`, `bytes`, `visible`.
+        impostors `reach`, `height`, `error_px`, `face_size`, `centers`, `missing`, `triangles`, `bytes`, `visible`.
     """
     check.choice("unit", unit, UNITS)
     if check.choice("far", far, FAR_PARTS) == "impostors":

@@ -15,6 +15,7 @@ use crate::scene::Scene;
 pub struct BakeArguments {
     center: [f64; 3],
     reach: f64,
+    height: f64,
     r2: f64,
     size: u32,
     angle: f64,
@@ -23,7 +24,7 @@ pub struct BakeArguments {
 }
 
 /// Textured quads of the far part: vertices (V, 3) relative to the centre, texture coordinates (V, 2), faces (F, 3),
-/// the quad of each face (F,), the mask of each quad (Q,), and the atlas (H, W, 4), by name; with the layers' centres
+/// the quad of each face (F,), object number (−1 without one) and mask of each quad (Q,), and the atlas (H, W, 4), by name; with the layers' centres
 /// and numbers of quads, the shares of missing pixels, and the numbers of the near static triangles that rays from the
 /// region hit.
 #[pyfunction]
@@ -34,8 +35,8 @@ pub fn bake_impostors<'py>(
     settings: BakeArguments,
     report: Report,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let BakeArguments { center, reach, r2, size, angle, centers, missing } = settings;
-    let settings = Settings { center: DVec3::from_array(center), reach, r2, size, angle, centers, missing };
+    let BakeArguments { center, reach, height, r2, size, angle, centers, missing } = settings;
+    let settings = Settings { center: DVec3::from_array(center), reach, height, r2, size, angle, centers, missing };
     let baked = run::long(py, report, |progress| impostor::bake(&scene.0, &settings, progress))?;
     let mesh = baked.mesh;
     let result = PyDict::new(py);
@@ -46,6 +47,7 @@ pub fn bake_impostors<'py>(
     let faces = mesh.faces.len();
     result.set_item("faces", PyArray1::from_vec(py, mesh.faces.into_flattened()).reshape(rows(faces))?)?;
     result.set_item("quads", PyArray1::from_vec(py, mesh.quads))?;
+    result.set_item("objects", PyArray1::from_vec(py, mesh.objects))?;
     result.set_item("masked", PyArray1::from_vec(py, mesh.masked))?;
     let [width, height] = mesh.size.map(|side| side as usize);
     result.set_item("atlas", PyArray1::from_vec(py, mesh.texels.into_flattened()).reshape([height, width, 4])?)?;

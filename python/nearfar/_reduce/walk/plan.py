@@ -38,6 +38,7 @@ _RINGS = ((6, 0.5), (12, 0.95))
 class RegionOptions(RadiusKeywords, MapKeywords, total=False):
     """Keywords of `regions`."""
 
+    height: float | None
     error_px: float
     centers: int
     missing: float
@@ -96,7 +97,7 @@ def regions(
         of the radii, or more where the path climbs.
     keywords
         Fields of `radii` and `settings`, which they replace: `r2`, `budget`, `reach`, `eye_height`, `shear`,
-        `face_size`, and `samples`, `channels`, `range_dtype`, `backend` of maps, or `error_px`, `centers`, `missing`,
+        `face_size`, and `samples`, `channels`, `range_dtype`, `backend` of maps, or `height`, `error_px`, `centers`, `missing`,
         `triangles`, `bytes`, `visible` of impostors.
     """
     core_of(scene)

@@ -23,6 +23,8 @@ pub struct Mesh {
     pub faces: Vec<[u32; 3]>,
     /// Quad of each triangle.
     pub quads: Vec<i32>,
+    /// Object of each quad: that of most of its texels; −1 without one.
+    pub objects: Vec<i32>,
     /// Whether each quad has transparent texels.
     pub masked: Vec<bool>,
     /// Width and height of the atlas, texels.
@@ -43,6 +45,7 @@ pub fn build(quads: &[(DVec3, Quad)], size: usize) -> Result<Mesh> {
     for (number, ((center, quad), place)) in quads.iter().zip(&places).enumerate() {
         copy(quad, *place, side[0], &mut mesh.texels);
         mesh.masked.push(quad.is_masked());
+        mesh.objects.push(quad.object);
         add_cells(&mut mesh, *center, quad, *place, size, number as i32);
     }
     Ok(mesh)

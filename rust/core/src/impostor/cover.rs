@@ -1,5 +1,5 @@
 //! Covering a tile's texels by as few planes as pay: a quadtree whose nodes choose between a few planes and their
-//! children, by the number of quads and of texels.
+//! children, by the number of quads, the number of texels and their errors.
 
 use glam::{DMat3, DVec3};
 
@@ -15,6 +15,10 @@ const MIN_SIDE: usize = 4;
 const TRIED: usize = 8;
 /// Greatest ratio of inverse depths within a rectangle: a plane that reaches almost to infinity there is refused.
 const MAX_RATIO: f64 = 4.0;
+/// Cost, in texels, of a texel that is shown at the end of its interval; it falls with the square of the error.
+const ERROR_COST: f64 = 2.0;
+/// Part of a texel's gain that is lost, while planes are compared, if the texel is shown at the end of its interval.
+const ERROR_LOSS: f64 = 0.3;
 /// Cost of two triangles in texels of the atlas: about 25 bytes of geometry against 0.4 bytes a texel.
 const CELL_COST: f64 = 60.0;
 
@@ -53,7 +57,8 @@ pub fn cover(tile: &Tile) -> Vec<Cover> {
 
 /// Joins covers, also of different nodes, where one plane shows both and one rectangle costs less than two.
 fn merge(tile: &Tile, covers: Vec<Cover>) -> Vec<Cover> {
-    let mut order: Vec<(f64, Cover)> = covers.into_iter().map(|cover| (cost_of(tile, &cover), cover)).collect();
+    let mut order: Vec<(f64, Cover)> =
+        covers.into_iter().map(|cover| (cost_of(tile, &cover.plane, &cover.texels), cover)).collect();
     loop {
         order.sort_by_key(|(_, cover)| std::cmp::Reverse(cover.texels.len()));
         let mut merged: Vec<(f64, Cover)> = Vec::with_capacity(order.len());
@@ -73,9 +78,18 @@ fn merge(tile: &Tile, covers: Vec<Cover>) -> Vec<Cover> {
             }
         }
         if merged.len() == before {
-            return merged.into_iter().map(|(_, cover)| cover).collect();
+            return merged.into_iter().map(|(cost, cover)| refine(tile, cost, cover)).collect();
         }
         order = merged;
+    }
+}
+
+/// Returns a cover with the plane of least cost of its own, some of its texels' planes and a fitted one.
+fn refine(tile: &Tile, cost: f64, cover: Cover) -> Cover {
+    let planes = tried(tile, &cover.texels).map(|texel| texel.plane).chain(fit(tile, &cover.texels));
+    match cheapest(tile, planes, &cover.texels, cost) {
+        Some((_, plane)) => Cover { plane, ..cover },
+        None => cover,
     }
 }
 
@@ -86,19 +100,25 @@ fn join(tile: &Tile, a: &Cover, b: &Cover, limit: f64) -> Option<(f64, Cover)> {
     if CELL_COST + outer_area(both) >= limit {
         return None;
     }
-    let shows_both = |plane: &Plane| {
-        is_tame(tile, both, plane)
-            && [a, b].iter().all(|cover| cover.texels.iter().all(|&texel| shows(tile, plane, texel)))
-    };
-    let texels = || {
-        let mut texels = [&a.texels[..], &b.texels[..]].concat();
-        texels.sort_unstable();
-        texels
-    };
-    let plane = [a.plane, b.plane].into_iter().find(shows_both).or_else(|| fit(tile, &texels()).filter(shows_both))?;
-    let cover = Cover { plane, texels: texels() };
-    let cost = cost_of(tile, &cover);
-    (cost < limit).then_some((cost, cover))
+    let mut texels = [&a.texels[..], &b.texels[..]].concat();
+    texels.sort_unstable();
+    let planes = [a.plane, b.plane].into_iter().chain(fit(tile, &texels));
+    cheapest(tile, planes, &texels, limit).map(|(cost, plane)| (cost, Cover { plane, texels }))
+}
+
+/// Returns the plane that shows all texels at the least cost, and the cost; `None` if no plane does so below `limit`.
+fn cheapest(tile: &Tile, planes: impl Iterator<Item = Plane>, texels: &[u16], limit: f64) -> Option<(f64, Plane)> {
+    let around = rectangle(texels);
+    let fits = planes
+        .filter(|plane| is_tame(tile, around, plane) && texels.iter().all(|&texel| shows(tile, plane, texel)))
+        .map(|plane| (cost_of(tile, &plane, texels), plane));
+    fits.filter(|(cost, _)| *cost < limit).min_by(|a, b| a.0.total_cmp(&b.0))
+}
+
+/// Returns some of the texels, evenly chosen.
+fn tried<'a>(tile: &'a Tile, texels: &'a [u16]) -> impl Iterator<Item = &'a Texel> {
+    let count = TRIED.min(texels.len());
+    (0..count).map(move |n| tile_texel(tile, texels[(2 * n + 1) * texels.len() / (2 * count)]))
 }
 
 fn outer_area([left, top, right, bottom]: [usize; 4]) -> f64 {
@@ -112,7 +132,9 @@ fn solve(tile: &Tile, node: Node) -> (f64, Vec<Cover>) {
     }
     let is_least = node.side <= MIN_SIDE;
     let own = planes(tile, node, texels, if is_least { usize::MAX } else { MAX_PLANES });
-    let cost = own.as_ref().map_or(f64::INFINITY, |covers| covers.iter().map(|cover| cost_of(tile, cover)).sum());
+    let cost = own
+        .as_ref()
+        .map_or(f64::INFINITY, |covers| covers.iter().map(|cover| cost_of(tile, &cover.plane, &cover.texels)).sum());
     let is_full = |covers: &Vec<Cover>| covers.len() == 1 && 4 * covers[0].texels.len() >= 3 * node.side * node.side;
     if let Some(covers) = own.as_ref().filter(|covers| is_least || is_full(covers) && cost < FULL_COST * area(node)) {
         return (cost, covers.clone());
@@ -176,23 +198,31 @@ fn shows(tile: &Tile, plane: &Plane, number: u16) -> bool {
     texel.least <= w && w <= texel.greatest
 }
 
-/// Returns the plane that shows most texels: of some texels' own planes, planes of constant depth and planes fitted to
+/// Returns the plane that shows most texels and shows them best: of some texels' own planes, planes of constant depth and planes fitted to
 /// what these show. Shows at least one.
 fn best_plane(tile: &Tile, node: Node, texels: &[u16]) -> Plane {
-    let count = |plane: &Plane| texels.iter().filter(|&&texel| shows(tile, plane, texel)).count();
-    let better = |best: (usize, Plane), plane: Plane| match is_tame(tile, node.rectangle(), &plane) {
-        true if count(&plane) > best.0 => (count(&plane), plane),
-        _ => best,
+    let gain = |plane: &Plane, texel: u16| 1.0 - ERROR_LOSS * square_error(tile, plane, texel);
+    let gained = |plane: &Plane| {
+        let shown = texels.iter().filter(|&&texel| shows(tile, plane, texel));
+        shown.map(|&texel| gain(plane, texel)).sum::<f64>()
     };
-    let tried = TRIED.min(texels.len());
-    let samples = (0..tried).map(|n| tile_texel(tile, texels[(2 * n + 1) * texels.len() / (2 * tried)]));
-    let planes = samples.flat_map(|texel| [texel.plane, Plane::frontal(texel.w)]);
-    let mut best = planes.fold((0, Plane::frontal(0.0)), better);
-    if best.0 < texels.len() {
-        let shown: Vec<u16> = texels.iter().copied().filter(|&texel| shows(tile, &best.1, texel)).collect();
-        best = fit(tile, &shown).map_or(best, |plane| better(best, plane));
-    }
-    best.1
+    let better = |best: (f64, Plane), plane: Plane| {
+        let sum = if is_tame(tile, node.rectangle(), &plane) { gained(&plane) } else { 0.0 };
+        if sum > best.0 { (sum, plane) } else { best }
+    };
+    let planes = tried(tile, texels).flat_map(|texel| [texel.plane, Plane::frontal(texel.w)]);
+    let best = planes.fold((0.0, Plane::frontal(0.0)), better);
+    let shown: Vec<u16> = texels.iter().copied().filter(|&texel| shows(tile, &best.1, texel)).collect();
+    fit(tile, &shown).map_or(best, |plane| better(best, plane)).1
+}
+
+/// Returns the square of a plane's error at a texel that it shows, as a share of the allowed error, 0 to 1.
+fn square_error(tile: &Tile, plane: &Plane, number: u16) -> f64 {
+    let (column, row) = column_and_row(number);
+    let texel = tile.texel_inside(column, row);
+    let off = plane.w(tile.u(column), tile.v(row)) - texel.w;
+    let allowed = if off > 0.0 { texel.greatest - texel.w } else { texel.w - texel.least };
+    (off / allowed).powi(2)
 }
 
 /// Returns whether a plane stays at usable depths over the whole rectangle and a texel around it.
@@ -223,10 +253,12 @@ fn fit(tile: &Tile, texels: &[u16]) -> Option<Plane> {
     plane.is_finite().then(|| Plane(plane.to_array()))
 }
 
-fn cost_of(tile: &Tile, cover: &Cover) -> f64 {
-    let rectangle = rectangle(&cover.texels);
-    let cells = cells(&cover.plane, tile, rectangle.map(|edge| edge as isize));
-    CELL_COST * (cells[0] * cells[1]) as f64 + outer_area(rectangle)
+/// Returns the cost of texels on a plane: of triangles, of the atlas, and of errors.
+fn cost_of(tile: &Tile, plane: &Plane, texels: &[u16]) -> f64 {
+    let rectangle = rectangle(texels);
+    let cells = cells(plane, tile, rectangle.map(|edge| edge as isize));
+    let errors: f64 = texels.iter().map(|&texel| square_error(tile, plane, texel)).sum();
+    CELL_COST * (cells[0] * cells[1]) as f64 + outer_area(rectangle) + ERROR_COST * errors
 }
 
 /// Returns the rectangle around texels: left, top, right and bottom, of which the last two are not part of it.

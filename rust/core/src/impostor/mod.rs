@@ -43,6 +43,8 @@ pub struct Settings {
     pub center: DVec3,
     /// Radius of the users' region about O, metres: a sphere.
     pub reach: f64,
+    /// Distance above and below O, metres, up to `reach`, at which probes stand beside those at the height of O.
+    pub height: f64,
     /// Radius, metres, of the cylinder about the vertical axis through O; triangles that reach into it are no impostors.
     pub r2: f64,
     /// Width of a face of each layer's cube map, texels.
@@ -80,9 +82,10 @@ fn single_precision(position: DVec3) -> DVec3 {
 
 /// Bakes the far part of a scene.
 pub fn bake(scene: &Scene, settings: &Settings, progress: &Progress) -> Result<Impostors> {
-    let Settings { center, reach, r2, size, .. } = *settings;
+    let Settings { center, reach, height, r2, size, .. } = *settings;
     ensure!((64..=MAX_SIZE / 2).contains(&size), "face_size", format!("64 to {} texels", MAX_SIZE / 2), size);
     ensure!(reach.is_finite() && reach > 0.0, "reach", "a finite radius above 0", reach);
+    ensure!((0.0..=reach).contains(&height), "height", format!("0 to reach = {reach} m"), height);
     ensure!(r2.is_finite() && r2 > reach, "r2", format!("a finite radius greater than reach = {reach}"), r2);
     let is_angle = settings.angle > 0.0 && settings.angle < 0.5;
     ensure!(is_angle, "angle", "an angle above 0 and below 0.5 radians", settings.angle);
@@ -96,8 +99,8 @@ pub fn bake(scene: &Scene, settings: &Settings, progress: &Progress) -> Result<I
         single_precision(eye + DVec3::new(radius * cos, height, radius * sin))
     };
     let mut places = vec![single_precision(eye)];
-    let above = 0.5f64.min(0.5 * reach);
-    for height in [0.0, above, -above] {
+    let heights = if height > 0.0 { &[0.0, height, -height][..] } else { &[0.0] };
+    for &height in heights {
         let radius = (reach * reach - height * height).sqrt();
         places.extend((0..12).map(|n| around(radius, n, 12, height)));
         places.extend((0..6).map(|n| around(0.5 * radius, n, 6, height)));

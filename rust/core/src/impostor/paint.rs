@@ -12,8 +12,10 @@ use crate::render::Surface;
 use crate::scene::srgb::srgb_from_linear;
 use crate::trace::{Hit, Ray};
 
-/// Positions of a texel's samples.
-const SAMPLES: [(f64, f64); 4] = [(0.25, 0.25), (0.75, 0.25), (0.25, 0.75), (0.75, 0.75)];
+/// Samples of a texel.
+const SAMPLES: usize = 16;
+/// Least error of a sample on the plane, as a share of its inverse depth.
+const MIN_ERROR: f64 = 5e-4;
 
 /// A textured rectangle of a plane.
 #[derive(Clone, Debug)]
@@ -24,6 +26,8 @@ pub struct Quad {
     pub place: Place,
     /// Left, top, right and bottom in the tile, from −1 to `SIDE` + 1.
     pub rectangle: [isize; 4],
+    /// Object of most texels; −1 without one.
+    pub object: i32,
     /// Columns and rows of cells.
     pub cells: [usize; 2],
     /// sRGB, and the share of the texel that the surface covers as alpha; rows from the top.
@@ -46,33 +50,20 @@ impl Quad {
 /// Colour, linear RGB, and share of a texel that its surface covers, 0 to 1.
 type Painted = ([f32; 3], f32);
 
-/// Paints a cover of a tile. The mask grows by a texel where the plane lies on or behind what is seen there, so that
-/// neighbouring quads overlap and silhouettes do not grow.
+/// Paints a cover of a tile. Its texels have the mean colour of the samples on the plane. Texels beside them overlap
+/// neighbouring quads where the plane lies on or behind what is seen there; elsewhere they have the share of the texel
+/// that the surface covers, so that silhouettes keep their places.
 pub fn paint(world: &World<'_>, center: DVec3, tile: &Tile, cover: &Cover) -> Quad {
-    let mut shown: Vec<Option<Painted>> = vec![None; WIDE * WIDE];
-    for (&texel, painted) in cover.texels.iter().zip(surfaces(world, center, tile, cover)) {
-        let (column, row) = column_and_row(texel);
-        shown[slot(column as isize, row as isize)] = Some(painted);
-    }
-    let [left, top, right, bottom] = rectangle(&cover.texels).map(|edge| edge as isize);
-    let is_behind = |column: isize, row: isize| {
-        let w = cover.plane.w(tile.edge_u(column as f64 + 0.5), tile.edge_v(row as f64 + 0.5));
-        w > 0.0 && w <= tile.texel(column, row).w * (1.0 + 1e-6)
-    };
-    // Painted texels, those into which the mask grows, and the others with the mean colour.
+    let mut painter = Painter { world, center, tile, plane: &cover.plane, shown: vec![None; WIDE * WIDE] };
+    painter.paint(cover);
+    painter.grow(cover);
+    let shown = painter.shown;
     let mean = average(shown.iter().flatten().map(|painted| painted.0)).unwrap_or_default();
-    let painted = |column: isize, row: isize| {
-        shown[slot(column, row)].map(|painted| (painted, true)).unwrap_or_else(|| {
-            let beside =
-                average(neighbourhood(column, row).filter_map(|(x, y)| shown[slot(x, y)]).map(|painted| painted.0));
-            let is_grown = beside.is_some() && is_behind(column, row);
-            ((beside.unwrap_or(mean), f32::from(u8::from(is_grown))), is_grown)
-        })
-    };
+    let [left, top, right, bottom] = rectangle(&cover.texels).map(|edge| edge as isize);
     let mut rectangle = [left, top, right, bottom];
     for row in top - 1..=bottom {
         for column in left - 1..=right {
-            if painted(column, row).1 {
+            if shown[slot(column, row)].is_some_and(|(_, alpha)| alpha > 0.0) {
                 rectangle = [
                     rectangle[0].min(column),
                     rectangle[1].min(row),
@@ -85,12 +76,25 @@ pub fn paint(world: &World<'_>, center: DVec3, tile: &Tile, cover: &Cover) -> Qu
     let [left, top, right, bottom] = rectangle;
     let inside = (top..bottom).flat_map(|row| (left..right).map(move |column| (column, row)));
     let texels = inside.map(|(column, row)| {
-        let (color, alpha) = painted(column, row).0;
+        let (color, alpha) = shown[slot(column, row)].unwrap_or((mean, 0.0));
         let [r, g, b] = color.map(srgb_from_linear);
         [r, g, b, (alpha * 255.0).round() as u8]
     });
     let cells = cells(&cover.plane, tile, rectangle);
-    Quad { plane: cover.plane, place: tile.place, rectangle, cells, texels: texels.collect() }
+    let object = object_of_most(world, tile, cover);
+    Quad { plane: cover.plane, place: tile.place, rectangle, object, cells, texels: texels.collect() }
+}
+
+/// Returns the object of most of a cover's texels, the first of equals.
+fn object_of_most(world: &World<'_>, tile: &Tile, cover: &Cover) -> i32 {
+    let object = |&texel: &u16| {
+        let (column, row) = column_and_row(texel);
+        let hit = tile.texel_inside(column, row).hit;
+        world.scene.instance(hit.instance).object_of(hit.face)
+    };
+    let mut objects: Vec<i32> = cover.texels.iter().map(object).collect();
+    objects.sort_unstable();
+    objects.chunk_by(|a, b| a == b).rev().max_by_key(|group| group.len()).map_or(-1, |group| group[0])
 }
 
 /// Returns the index of a texel in a tile with its apron.
@@ -110,61 +114,143 @@ fn average(colors: impl Iterator<Item = [f32; 3]>) -> Option<[f32; 3]> {
     (count > 0).then(|| sum.map(|x| x / count as f32))
 }
 
-/// Returns the surfaces in a cover's texels: the mean colour of the samples that lie on its plane, or else the colour in
-/// the texel's centre, and the share of samples that do not see past the plane. Texels inside a face without a texture
-/// take one sample.
-fn surfaces(world: &World<'_>, center: DVec3, tile: &Tile, cover: &Cover) -> Vec<Painted> {
-    let secant = |x: f64, y: f64| direction_from_face(tile.place.face, tile.edge_u(x), tile.edge_v(y)).length();
-    // Width of a texel on a sphere at the distance of the hit.
-    let width = |hit: &Hit, secant: f64| (2.0 / tile.size as f64 / secant.powf(1.5) * f64::from(hit.t)) as f32;
-    let color = |ray: &Ray, hit: &Hit, width: f32| Surface::of_hit(world.scene, ray, hit).color(world.scene, width);
-    let positions = |texel: u16| {
-        let (column, row) = column_and_row(texel);
-        SAMPLES.map(|(dx, dy)| (column as f64 + dx, row as f64 + dy))
-    };
-    let mut surfaces = Vec::with_capacity(cover.texels.len());
-    let (mut rays, mut sampled) = (Vec::new(), Vec::new());
-    for (n, &texel) in cover.texels.iter().enumerate() {
-        let (column, row) = column_and_row(texel);
-        let (x, y) = (column as f64 + 0.5, row as f64 + 0.5);
-        let (ray, hit) = (tile.ray(center, x, y), tile.texel_inside(column, row).hit);
-        surfaces.push((color(&ray, &hit, width(&hit, secant(x, y))), 1.0));
-        if needs_samples(world, tile, column, row) {
-            sampled.push(n);
-            rays.extend(positions(texel).map(|(x, y)| tile.ray(center, x, y)));
-        }
-    }
-    let mut hits = vec![Hit::MISS; rays.len()];
-    world.trace(&rays, true, &mut hits);
-    for ((&n, rays), hits) in sampled.iter().zip(rays.chunks(SAMPLES.len())).zip(hits.chunks(SAMPLES.len())) {
-        let number = cover.texels[n];
-        let (column, row) = column_and_row(number);
-        let texel = tile.texel_inside(column, row);
-        let allowed = (texel.greatest - texel.least).max(1e-3 * texel.w);
-        let (mut beyond, mut colors) = (0, Vec::with_capacity(SAMPLES.len()));
-        for ((ray, hit), (x, y)) in rays.iter().zip(hits).zip(positions(number)) {
-            let secant = secant(x, y);
-            let w = if hit.is_miss() { 0.0 } else { secant / f64::from(hit.t) };
-            let off = w - cover.plane.w(tile.edge_u(x), tile.edge_v(y));
-            beyond += usize::from(off < -allowed);
-            if off.abs() <= allowed && !hit.is_miss() {
-                colors.push(color(ray, hit, 0.5 * width(hit, secant)));
-            }
-        }
-        surfaces[n].0 = average(colors.into_iter()).unwrap_or(surfaces[n].0);
-        surfaces[n].1 = 1.0 - beyond as f32 / SAMPLES.len() as f32;
-    }
-    surfaces
+/// Colours of one quad.
+struct Painter<'a> {
+    world: &'a World<'a>,
+    center: DVec3,
+    tile: &'a Tile,
+    plane: &'a Plane,
+    /// Texels with the apron.
+    shown: Vec<Option<Painted>>,
 }
 
-/// Returns whether a texel's colour may vary: its neighbours show other faces, or its material has a texture.
-fn needs_samples(world: &World<'_>, tile: &Tile, column: usize, row: usize) -> bool {
-    let hit = tile.texel_inside(column, row).hit;
-    let mesh = &world.scene.instance(hit.instance).mesh;
-    let shows_other = |(x, y): (isize, isize)| {
-        let other = tile.texel(x, y).hit;
-        (other.instance, other.face) != (hit.instance, hit.face)
-    };
-    world.scene.material_of(mesh, hit.face).textures().next().is_some()
-        || neighbourhood(column as isize, row as isize).any(shows_other)
+/// Samples of a texel.
+#[derive(Default)]
+struct Samples {
+    /// Sum of the colours on the plane.
+    sum: [f32; 3],
+    /// Samples on the plane.
+    on: usize,
+    /// Samples that see past the plane.
+    beyond: usize,
+}
+
+impl Samples {
+    /// Returns the mean colour on the plane.
+    fn color(&self) -> Option<[f32; 3]> {
+        (self.on > 0).then(|| self.sum.map(|x| x / self.on as f32))
+    }
+
+    /// Returns the share that does not see past the plane.
+    fn share(&self) -> f32 {
+        1.0 - self.beyond as f32 / SAMPLES as f32
+    }
+}
+
+/// Returns the positions of a texel's samples: each row and column of 16 × 16 cells has one, so that bars as narrow as
+/// a cell show in any direction along the axes.
+fn positions(x: isize, y: isize) -> impl Iterator<Item = (f64, f64)> {
+    let middle = |cell: usize| (cell as f64 + 0.5) / SAMPLES as f64;
+    (0..SAMPLES).map(move |n| (x as f64 + middle(n), y as f64 + middle(7 * n % SAMPLES)))
+}
+
+impl Painter<'_> {
+    /// Paints the cover's texels: the mean colour of the samples that lie on its plane, or else the colour in the
+    /// texel's centre, and the share of samples that do not see past the plane.
+    fn paint(&mut self, cover: &Cover) {
+        let place = |&texel: &u16| {
+            let (column, row) = column_and_row(texel);
+            (column as isize, row as isize, 2.0 * self.allowed(texel))
+        };
+        let texels: Vec<_> = cover.texels.iter().map(place).collect();
+        for (&(x, y, _), samples) in texels.iter().zip(self.samples(&texels)) {
+            let color = samples.color().unwrap_or_else(|| {
+                let ray = self.tile.ray(self.center, x as f64 + 0.5, y as f64 + 0.5);
+                self.color(&ray, &self.tile.texel(x, y).hit, self.secant(x as f64 + 0.5, y as f64 + 0.5))
+            });
+            self.shown[slot(x, y)] = Some((color, samples.share()));
+        }
+    }
+
+    /// Paints the texels beside the cover's.
+    fn grow(&mut self, cover: &Cover) {
+        let mut beside = Vec::new();
+        for &texel in &cover.texels {
+            let (column, row) = column_and_row(texel);
+            for (x, y) in neighbourhood(column as isize, row as isize) {
+                if self.shown[slot(x, y)].is_none() {
+                    beside.push((x, y, self.allowed(texel)));
+                }
+            }
+        }
+        beside.sort_by_key(|&(x, y, _)| slot(x, y));
+        beside.dedup_by_key(|&mut (x, y, _)| slot(x, y));
+        let painted = beside.iter().zip(self.samples(&beside)).map(|(&(x, y, _), samples)| {
+            let shown = || neighbourhood(x, y).filter_map(|(x, y)| self.shown[slot(x, y)]).map(|painted| painted.0);
+            let color = samples.color().or_else(|| average(shown())).unwrap_or_default();
+            let w = self.w(x as f64 + 0.5, y as f64 + 0.5);
+            let is_behind = w > 0.0 && w <= self.tile.texel(x, y).w * (1.0 + 1e-6);
+            let share = if samples.on > 0 { samples.share() } else { 0.0 };
+            (color, if is_behind { 1.0 } else { share })
+        });
+        let painted: Vec<Painted> = painted.collect();
+        for ((x, y, _), painted) in beside.into_iter().zip(painted) {
+            self.shown[slot(x, y)] = Some(painted);
+        }
+    }
+
+    /// Returns the error of inverse depth that the bound allows about a texel's surface.
+    fn allowed(&self, texel: u16) -> f64 {
+        let (column, row) = column_and_row(texel);
+        let texel = self.tile.texel_inside(column, row);
+        (0.5 * (texel.greatest - texel.least)).max(MIN_ERROR * texel.w)
+    }
+
+    /// Samples texels, given with the error of inverse depth up to which a sample lies on the plane.
+    fn samples(&self, texels: &[(isize, isize, f64)]) -> Vec<Samples> {
+        let rays: Vec<Ray> = texels
+            .iter()
+            .flat_map(|&(x, y, _)| positions(x, y))
+            .map(|(x, y)| self.tile.ray(self.center, x, y))
+            .collect();
+        let mut hits = vec![Hit::MISS; rays.len()];
+        self.world.trace(&rays, true, &mut hits);
+        let sampled = texels.iter().zip(rays.chunks(SAMPLES)).zip(hits.chunks(SAMPLES));
+        sampled.map(|((texel, rays), hits)| self.sum(texel, rays, hits)).collect()
+    }
+
+    /// Sums the samples of a texel.
+    fn sum(&self, &(x, y, allowed): &(isize, isize, f64), rays: &[Ray], hits: &[Hit]) -> Samples {
+        let mut samples = Samples::default();
+        for ((ray, hit), (x, y)) in rays.iter().zip(hits).zip(positions(x, y)) {
+            let secant = self.secant(x, y);
+            let w = if hit.is_miss() { 0.0 } else { secant / f64::from(hit.t) };
+            let off = w - self.w(x, y);
+            samples.beyond += usize::from(off < -allowed);
+            if off.abs() <= allowed && !hit.is_miss() {
+                let color = self.color(ray, hit, secant);
+                (0..3).for_each(|i| samples.sum[i] += color[i]);
+                samples.on += 1;
+            }
+        }
+        samples
+    }
+
+    /// Returns the plane's inverse depth.
+    fn w(&self, x: f64, y: f64) -> f64 {
+        self.plane.w(self.tile.edge_u(x), self.tile.edge_v(y))
+    }
+
+    /// Returns the distance of a position on the face, whose depth is 1.
+    fn secant(&self, x: f64, y: f64) -> f64 {
+        direction_from_face(self.tile.place.face, self.tile.edge_u(x), self.tile.edge_v(y)).length()
+    }
+
+    /// Returns the colour of a hit by a sample's ray.
+    fn color(&self, ray: &Ray, hit: &Hit, secant: f64) -> [f32; 3] {
+        // Width of a sample on a sphere at the distance of the hit.
+        let texel = 2.0 / self.tile.size as f64 / secant.powf(1.5) * f64::from(hit.t);
+        let width = texel / (SAMPLES as f64).sqrt();
+        Surface::of_hit(self.world.scene, ray, hit).color(self.world.scene, width as f32)
+    }
 }

@@ -28,7 +28,7 @@ fn scene(triangles: &[[[f32; 3]; 3]]) -> Scene {
 
 fn settings(size: u32) -> Settings {
     let (center, missing) = (DVec3::new(0.0, 1.7, 0.0), 5e-4);
-    Settings { center, reach: REACH, r2: R2, size, angle: ANGLE, centers: 10, missing }
+    Settings { center, reach: REACH, height: 0.5, r2: R2, size, angle: ANGLE, centers: 10, missing }
 }
 
 fn baked(triangles: &[[[f32; 3]; 3]], size: u32) -> Impostors {
@@ -87,7 +87,7 @@ proptest! {
         let tile = Tile::blank(place, size);
         let cells = cells(&plane, &tile, rectangle);
         let texels = vec![[0; 4]; (sides[0] * sides[1]) as usize];
-        let mesh = atlas::build(&[(center, Quad { plane, place, rectangle, cells, texels })], size).unwrap();
+        let mesh = atlas::build(&[(center, Quad { plane, place, rectangle, object: 0, cells, texels })], size).unwrap();
         let [s, t] = if weights[0] + weights[1] > 1.0 { weights.map(|w| 1.0 - w) } else { weights };
         for face in &mesh.faces {
             let mix = |values: [[f64; 3]; 3]| DVec3::from_array(values[0]) * (1.0 - s - t) + DVec3::from_array(values[1]) * s + DVec3::from_array(values[2]) * t;
@@ -159,7 +159,7 @@ fn walls_hidden_from_the_center_are_shown() {
 fn surfaces_that_only_lower_eyes_see_are_shown() {
     // A slab ends 5 cm below O. From O a user sees the wall behind it up to 1.45 m, from 10 cm below O up to 1.85 m.
     let triangles = [wall([-50.0, 50.0], [1.65, 50.0], -0.6), wall([-1.0, 1.0], [-20.0, 20.0], -3.0)].concat();
-    let settings = Settings { reach: 0.2, r2: 1.0, ..settings(256) };
+    let settings = Settings { reach: 0.2, height: 0.1, r2: 1.0, ..settings(256) };
     let found = bake(&scene(&triangles), &settings, &Progress::new()).unwrap();
     let top = found.mesh.positions.iter().map(|p| p[1]).fold(f32::NEG_INFINITY, f32::max) + 1.7;
     assert!(top > 1.8, "{top}");
@@ -194,6 +194,8 @@ fn invalid_settings_are_named() {
         ("face_size", Settings { size: 63, ..valid }),
         ("reach", Settings { reach: 0.0, ..valid }),
         ("reach", Settings { reach: f64::NAN, ..valid }),
+        ("height", Settings { height: -0.1, ..valid }),
+        ("height", Settings { height: REACH + 0.1, ..valid }),
         ("r2", Settings { r2: REACH, ..valid }),
         ("angle", Settings { angle: 0.0, ..valid }),
         ("angle", Settings { angle: 0.5, ..valid }),
