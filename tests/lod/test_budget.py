@@ -160,7 +160,7 @@ def test_pixel_weights_favour_large_objects() -> None:
     scene, budget = crowd(3000, 1), 1_500_000
     plain = nf.lod.select(*scene, camera=VIEW, budget=budget, weight="object", full=True)
     pixels = nf.lod.select(*scene, camera=VIEW, budget=budget, full=True)
-    explicit = nf.lod.select(*scene, camera=VIEW, budget=float(budget), weight="pixels")
+    explicit = nf.lod.select(*scene, camera=VIEW, budget=budget, weight="pixels")
     np.testing.assert_array_equal(pixels.level, explicit.level)
     seen = plain.level >= 0
     by_size = [np.average(one.score[seen], weights=one.sigma_seen[seen]) for one in (plain, pixels)]

@@ -159,10 +159,11 @@ class Impostors(Renderable):
         """Write a folder that engines and nearfar can read, atomically.
 
         `light.glb` has near and far part, `near.glb` and `far.glb` one of them each. `far.exr` is the map of the
-        published method, which `nearfar.ReducedScene.load` shows with `near.glb`. `reduced.json` has all other data.
-        In `light.glb` and `far.glb` positions are relative to O, whose world position is `extras.nearfar.center` of the
-        file's scene. The near part of `light.glb` has nearfar's light in its vertex colours. ValueError for impostors that `load` read, or another reduction's centre or r2; OSError if the
-        folder cannot be written or contains other files.
+        published method, which `nearfar.ReducedScene.load` shows with `near.glb`. `reduced.json` has all other data. In
+        `light.glb` and `far.glb` positions are relative to O, whose world position is `extras.nearfar.center` of the
+        file's scene. The near part of `light.glb` has nearfar's light in its vertex colours. ValueError for impostors
+        that `load` read, or another reduction's centre or r2; OSError if the folder cannot be written or contains other
+        files.
 
         Parameters
         ----------
@@ -202,7 +203,8 @@ class Impostors(Renderable):
             published._counts,
             impostors=self._document(),
         )
-        extra, lost = {}, ()
+        extra: dict[str, bytes] = {}
+        lost: tuple[str, ...] = ()
         if self.triangle_count:
             light = self._encoded("all", textures, geometry)
             extra, lost = {folder.LIGHT: light.data}, light.lost

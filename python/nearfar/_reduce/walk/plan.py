@@ -97,8 +97,8 @@ def regions(
         of the radii, or more where the path climbs.
     keywords
         Fields of `radii` and `settings`, which they replace: `r2`, `budget`, `reach`, `eye_height`, `shear`,
-        `face_size`, and `samples`, `channels`, `range_dtype`, `backend` of maps, or `height`, `error_px`, `centers`, `missing`,
-        `triangles`, `bytes`, `visible` of impostors.
+        `face_size`, and `samples`, `channels`, `range_dtype`, `backend` of maps, or `height`, `error_px`, `centers`,
+        `missing`, `triangles`, `bytes`, `visible` of impostors.
     """
     core_of(scene)
     if (path is None) == (area is None):
