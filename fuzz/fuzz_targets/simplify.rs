@@ -20,10 +20,14 @@ struct Input {
 fuzz_target!(|input: Input| {
     let positions: Vec<[f32; 3]> = input.vertices.iter().map(|vertex| vertex.0).collect();
     let attributes: Vec<f32> = input.vertices.iter().flat_map(|vertex| vertex.1).collect();
-    let is_seam: Vec<bool> = input.vertices.iter().map(|vertex| vertex.2).collect();
+    let is_protected: Vec<bool> = input.vertices.iter().map(|vertex| vertex.2).collect();
     let faces: Vec<[u32; 3]> = input.faces.iter().map(|face| face.map(u32::from)).collect();
-    let vertices =
-        Vertices { positions: &positions, attributes: &attributes, weights: &input.weights, is_seam: &is_seam };
+    let vertices = Vertices {
+        positions: &positions,
+        attributes: &attributes,
+        weights: &input.weights,
+        is_protected: &is_protected,
+    };
     let allowance = [Allowance::Nothing, Allowance::Seams, Allowance::Parts][usize::from(input.allowance) % 3];
     if let Ok((left, error)) = collapse(vertices, &faces, usize::from(input.target), allowance) {
         assert!(left.len() <= faces.len());

@@ -20,7 +20,14 @@ struct Input {
 }
 
 fn component(code: u8) -> ComponentType {
-    [ComponentType::I8, ComponentType::U8, ComponentType::I16, ComponentType::U16, ComponentType::U32, ComponentType::F32][usize::from(code) % 6]
+    [
+        ComponentType::I8,
+        ComponentType::U8,
+        ComponentType::I16,
+        ComponentType::U16,
+        ComponentType::U32,
+        ComponentType::F32,
+    ][usize::from(code) % 6]
 }
 
 fn rows_of(input: &Input) -> Vec<Rows> {

@@ -232,7 +232,7 @@ def test_world_positions_far_from_zero() -> None:
 
 
 def test_rays_without_a_direction_are_counted() -> None:
-    with pytest.raises(ValueError, match=r"directions.*2 other rows.*index 1"):
+    with pytest.raises(ValueError, match=r"directions.*2 rows without.*index 1"):
         nf.cast_rays(square(), (0, 0, 0), [[0, 0, 1], [0, 0, 0], [0, 0, 0]])
 
 

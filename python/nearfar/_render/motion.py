@@ -19,7 +19,7 @@ class Viewpoint:
 
     camera: Camera
     renderable: Renderable
-    """What is drawn, in its pose."""
+    """Drawn scene in its pose."""
     user: tuple[float, float, float]
     """World position of the user, metres."""
 
