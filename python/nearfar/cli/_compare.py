@@ -14,7 +14,7 @@ from nearfar._base import check as checks, files, formats
 from nearfar._camera.density import with_density
 from nearfar._reduce import default_radii, findings
 from nearfar.cli import _options as options, _page, _thresholds, _viewpoint
-from nearfar.cli._groups import flag, option
+from nearfar.cli._groups import Options, flag, option
 from nearfar.cli._methods import DENSITY, METHODS, Methods, choose_view, is_measurable, render_all
 from nearfar.cli._output import (
     Clock,
@@ -76,6 +76,14 @@ class ViewOptions(options.PictureOptions):
         return {"fov": self.fov, "user": eye, "target": target, "distance": self.distance}
 
 
+@dataclass(frozen=True, kw_only=True)
+class MethodOptions(Options):
+    """Methods that are compared, and how exactly."""
+
+    impostors: bool = flag("--impostors", "Compare impostors, too; for a folder that has them, they always are.")
+    exact: bool = flag("--exact", "Bend a ray for every pixel; trace the far part instead of using the map.")
+
+
 def compare(
     *,
     scene: options.SceneOrFolder,
@@ -85,8 +93,7 @@ def compare(
     ),
     zones: options.MapOptions,
     view: ViewOptions,
-    impostors: bool = flag("--impostors", "Compare impostors, too; for a folder that has them, they always are."),
-    exact: bool = flag("--exact", "Bend a ray for every pixel; trace the far part instead of using the map."),
+    methods: MethodOptions,
     limits: _thresholds.LimitOptions,
     backend: options.Backend = None,
     scene_options: SceneOptions,
@@ -99,7 +106,7 @@ def compare(
     clock, saved_reduction, quads, truth_source = Clock(), None, None, scene
     if is_reduced(scene):
         zones.refuse("with a folder as -i, which has its own")
-        if exact:
+        if methods.exact:
             raise ValueError("exact: expected none with a folder as -i, which has no far geometry to trace")
     elif truth is not None:
         raise ValueError(f"--truth: expected none with a scene as -i, got {checks.shortened(truth)}")
@@ -128,22 +135,24 @@ def compare(
         place_and_map = {"center": viewpoint.eye, "r1": r1, "r2": r2, "channels": ("color", "range")}
         reduction = place_and_map | {"face_size": texels, "backend": backend}
         with clock.step("reduce"):
-            methods = Methods.prepare(full_scene, reduction, saved=saved_reduction, positions=True, exact=exact)
-        if impostors and quads is None:
+            shown_methods = Methods.prepare(
+                full_scene, reduction, saved=saved_reduction, positions=True, exact=methods.exact
+            )
+        if methods.impostors and quads is None:
             with clock.step("impostors"):
                 baking = nf.ImpostorSettings(face_size=max(texels, 64))
                 quads = nf.reduce(full_scene, center=viewpoint.eye, r2=r2, far="impostors", settings=baking)
         with clock.step("view"):
-            chosen = choose_view(methods, cameras)
+            chosen = choose_view(shown_methods, cameras)
             user_view, user_camera = stands[chosen.number], cameras[chosen.number]
         pictures: dict[str, Any] = {"samples": view.samples, "channels": ("color", "position")}
-        frames = render_all(full_scene, methods, user_camera, clock, pictures, backend)
+        frames = render_all(full_scene, shown_methods, user_camera, clock, pictures, backend)
         if quads is not None:
             with clock.step("picture of impostors"):
                 frames["impostors"] = nf.render(quads, user_camera, backend=backend, **pictures)
         with clock.step("dense pictures"):
             dense_camera = with_density(user_camera, DENSITY)
-            dense = {name: methods.positions(name, dense_camera) for name in METHODS}
+            dense = {name: shown_methods.positions(name, dense_camera) for name in METHODS}
         with clock.step("measures"):
             boundary: dict[str, Any] = {"center": viewpoint.eye, "radius": r2}
             shown = {name: frame for name, frame in frames.items() if name != "truth"}
@@ -165,8 +174,8 @@ def compare(
             "unit_note": full_scene.report.unit_note,
             "notes": list(full_scene.report.notes),
             "triangles": int(full_scene.triangle_count),
-            "triangles_left": int(methods.reduced.stats["drawn"]),
-            "map_bytes": int(methods.reduced.stats["map_bytes"]),
+            "triangles_left": int(shown_methods.reduced.stats["drawn"]),
+            "map_bytes": int(shown_methods.reduced.stats["map_bytes"]),
             "triangles_of_impostors": None if quads is None else quads.triangle_count,
             "center": list(viewpoint.eye),
             "user": list(user_view.user),
@@ -178,10 +187,10 @@ def compare(
             "face_size": texels,
             "samples": view.samples,
             "size": list(view.pixels),
-            "method": "exact" if exact else "vertex",
+            "method": "exact" if methods.exact else "vertex",
             "pictures": measures,
             "thresholds": results,
-            "findings": findings.of_reduction(methods.reduced.stats, r2)
+            "findings": findings.of_reduction(shown_methods.reduced.stats, r2)
             + findings.of_view(crosses=crosses, is_measurable=is_shown, fold_margin=margin, r2=r2),
             "load_curve": curve_points(curve),
             "seconds": clock.seconds,
