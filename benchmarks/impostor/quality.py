@@ -103,10 +103,11 @@ def measure(case: Case, folder: Path) -> list[Any]:
     mapped = nf.reduce(case.scene, center=case.center, r1=0.5 * case.r2, r2=case.r2, face_size=size, morph="none")
     quality = []
     for camera in case.users:
-        truth, frame, map_frame = (
+        truth, frame = (
             nf.render(source, camera, samples=SAMPLES, channels=("color", "range"))
-            for source in (case.scene, impostors, mapped)
+            for source in (case.scene, impostors)
         )
+        map_frame = nf.render(mapped, camera, samples=SAMPLES, channels=("color",))
         places = misplaced(truth, frame, impostors.reach)
         quality.append([*similarity(truth, frame), *places, *similarity(truth, map_frame)])
     path = folder / "far.glb"

@@ -84,7 +84,7 @@ fn merge(tile: &Tile, covers: Vec<Cover>) -> Vec<Cover> {
     }
 }
 
-/// Returns a cover with the plane of least cost of its own, some of its texels' planes and a fitted one.
+/// Returns a cover with its cheapest plane: its present one, one of a few texels, or a fitted one.
 fn refine(tile: &Tile, cost: f64, cover: Cover) -> Cover {
     let planes = tried(tile, &cover.texels).map(|texel| texel.plane).chain(fit(tile, &cover.texels));
     match cheapest(tile, planes, &cover.texels, cost) {
