@@ -101,7 +101,7 @@ def test_no_user_sees_rounded_quads_off_by_more_than_is_reported(impostors: nf.I
 def _angles(points: NDArray[np.float64], shown: NDArray[np.float64], user: NDArray[np.float64]) -> NDArray[np.float64]:
     first, second = points - user, shown - user
     cross = np.linalg.norm(np.cross(first, second), axis=1)
-    return np.arctan2(cross, np.einsum("ni,ni->n", first, second))
+    return np.asarray(np.arctan2(cross, np.einsum("ni,ni->n", first, second)))
 
 
 def test_triangles_sectors_and_masks_are_kept(impostors: nf.Impostors) -> None:
@@ -311,7 +311,7 @@ def test_blender_shows_the_picture(fine: nf.Impostors, tmp_path: Path) -> None:
     (tmp_path / "light.glb").write_bytes(light(fine, "png", "plain").data)
     jobs = [{**entry, "to": str(tmp_path / f"{number}.png")} for number, entry in enumerate(views())]
     (tmp_path / "job.json").write_text(json.dumps({"file": str(tmp_path / "light.glb"), "views": jobs}))
-    command = ["blender", "-b", "--python-exit-code", "3", "--python", FOLDER / "in_blender.py", "--", "job.json"]
+    command = ["blender", "-b", "--python-exit-code", "3", "--python", str(FOLDER / "in_blender.py"), "--", "job.json"]
     # Blender uses the modules of the first python3 in PATH; NumPy is installed for the system's.
     path = os.pathsep.join(["/usr/bin", os.environ.get("PATH", "")])
     process = subprocess.run(
