@@ -91,7 +91,8 @@ def encode(
     encoded = None
     if near is not None and near.triangle_count:
         encoded = encode_near(near, region.center, region.reach, compressed=is_packed, encode_image=encode_image)
-    writer, document = glb.Writer(), dict[str, Any]()
+    writer = glb.Writer()
+    document: dict[str, Any] = {}
     if encoded is not None:
         writer, document = glb.Writer.adding_to(encoded.data)
         embed_images(writer, document, encoded)

@@ -141,8 +141,7 @@ def _exponents(points: Floats, owner: Steps, count: int, reach: float, error_px:
     np.maximum.at(farthest, owner, distances)
     step = np.maximum(margin, 0.0) * (2.0 / math.sqrt(3.0) * math.sin(error_px / _PIXELS_PER_RADIAN))
     finest = np.maximum(np.ldexp(farthest, -_MANTISSA_BITS), np.finfo(np.float32).tiny)
-    exponents: NDArray[np.int64] = np.floor(np.log2(np.maximum(step, finest))).astype(np.int64)
-    return exponents
+    return np.asarray(np.floor(np.log2(np.maximum(step, finest))), np.int64)
 
 
 def _sectors(middles: Floats) -> Steps:
