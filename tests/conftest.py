@@ -24,7 +24,7 @@ settings.load_profile(os.environ.get("NEARFAR_HYPOTHESIS", "fast"))
 os.environ.setdefault("NEARFAR_PROGRESS", "0")
 
 # Jupyter installs a grammar of addresses for jsonschema, which takes two seconds to import, and no schema here uses.
-sys.modules.setdefault("rfc3987_syntax", None)  # type: ignore[arg-type]
+sys.modules["rfc3987_syntax"] = None  # type: ignore[assignment]
 
 
 def pytest_configure(config: pytest.Config) -> None:

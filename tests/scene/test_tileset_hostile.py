@@ -177,7 +177,7 @@ def test_a_valid_tileset_loads(tmp_path: Path) -> None:
 
 @pytest.mark.slow
 @given(seed=st.integers(0, 2**32 - 1))
-@settings(max_examples=300)
+@settings(max_examples=100)
 def test_any_mutation_gives_a_scene_or_a_message(tmp_path_factory: pytest.TempPathFactory, seed: int) -> None:
     chance = random.Random(seed)
     folder = tmp_path_factory.getbasetemp() / "mutated"

@@ -81,7 +81,7 @@ def masks_of(tree: nf.orthoview.OrthoTree) -> dict[tuple[int, Place], int]:
 
 
 def built_once(factory: pytest.TempPathFactory, name: str, scene: Any, **settings: Any) -> nf.orthoview.OrthoTree:
-    """The tree of a scene or source, built once in a run."""
+    """The tree of a scene or another source, built once in a run."""
     need("zarr")
     return nf.orthoview.open(make_once(factory, name, lambda path: nf.orthoview.build(scene, path, **settings)))
 
