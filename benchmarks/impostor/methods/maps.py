@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any, Literal, get_args
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +19,7 @@ QUALITY = 80
 BAKE_SAMPLES = 4
 
 Kind = Literal["conventional", "continuous", "chosen radii"]
+KINDS: tuple[Kind, ...] = get_args(Kind)
 
 SMALLEST, LARGEST = 16, 1280
 """Least and greatest width of a face, texels. 1280 are 11 texels a degree in the middle of a face, as many as the pixels

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any, Literal
+from typing import Any, Literal, get_args
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 import nearfar as nf
 from benchmarks.impostor.methods import maps, place as places
 from benchmarks.impostor.methods.place import Place, fill
+from benchmarks.harness.views import Point
 from nearfar import _core
 from nearfar._base import webp
 from nearfar.lod._simplify.meshopt import MeshoptSimplifier
@@ -18,6 +19,7 @@ from nearfar.lod._simplify.quadrics import QuadricSimplifier
 from nearfar.lod._simplify.surface import Base, Surface, first_alike
 
 Library = Literal["fast-simplification", "meshoptimizer"]
+LIBRARIES: tuple[Library, ...] = get_args(Library)
 
 APART = 4.0
 """Distance between shells in the space in which they are simplified, where they begin at a distance of 1."""
@@ -53,6 +55,8 @@ class Mesh:
     mesh: nf.Scene
     bytes: int
     setting: str
+    baked_from: Point | None = None
+    """Where its colours were baked from, if they were."""
 
     @property
     def triangles(self) -> int:
@@ -61,6 +65,8 @@ class Mesh:
     def picture(self, place: Place, user: nf.Camera) -> tuple[nf.Frame, NDArray[np.bool_]]:
         frame = places.draw_scene(self.mesh, user)
         points = places.points_of(frame)
+        if self.baked_from is not None:
+            points = places.baked_at(place.far, points, self.baked_from)
         return place.compose(user, places.Far(frame.require("color"), frame.require("range"), points))
 
 
@@ -110,7 +116,7 @@ class Visible:
         return self._base.scene_of(replace(surface, positions=world, materials=materials))
 
 
-def simplified(place: Place, visible: Visible, library: Library, *, triangles: int, budget: int | None = None) -> Mesh:
+def simplified(place: Place, visible: Visible, library: Library, triangles: int, budget: int | None = None) -> Mesh:
     """Simplify what is visible to a number of triangles, or with a budget to as many as keep it."""
     simplifier = visible.simplifier(library)
 

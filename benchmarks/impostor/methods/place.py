@@ -170,24 +170,29 @@ def baked_at(scene: nf.Scene, points: NDArray[np.float64], center: Point) -> NDA
 
 Fit = Callable[[float], Any]
 
+TRIES = 4
+"""Greatest number of results that are made for a budget."""
 
-def fill(make: Fit, cost: Callable[[Any], float], budget: float, low: float, high: float, tries: int = 6) -> Any:
+
+def fill(
+    make: Fit, cost: Callable[[Any], float], budget: float, low: float, high: float, *, first: float | None = None
+) -> Any:
     """Make the result with the greatest parameter whose cost, which grows with it, keeps a budget.
 
-    Parameters are chosen by interpolation of logarithms between the best one within and the least one beyond the
+    The first try is `high` unless `first` is given, and there are at most `TRIES`. Further parameters are chosen by interpolation of logarithms between the best one within and the least one beyond the
     budget, within `low` and `high`; it ends when 97 % of the budget are used. If nothing keeps it, the cheapest result
     is returned.
     """
-    value, best = high, None
+    value, best = high if first is None else first, None
     inside: tuple[float, float] | None = None
     outside: tuple[float, float] | None = None
-    for _ in range(tries):
+    for _ in range(TRIES):
         result = make(value)
         spent = max(cost(result), 1.0)
         if spent <= budget:
             inside = (np.log(value), np.log(spent))
             best = result
-            if spent >= 0.97 * budget or value >= high:
+            if spent >= 0.92 * budget or value >= high:
                 break
         else:
             outside = (np.log(value), np.log(spent))
