@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from importlib import metadata
 from pathlib import Path
 from typing import Any
@@ -22,7 +22,7 @@ from benchmarks.impostor.methods.place import Method, Place
 from benchmarks.impostor.quality import ring
 from nearfar.cli._page import caption
 
-DISTANCES = (0.25, 0.5, 1.0, 2.0, 4.0, 8.0)
+DISTANCES = (0.25, 1.0, 4.0, 8.0)
 
 FIELD = 62.0
 """Horizontal field of view in degrees: with 640 pixels 10.7 pixels a degree in the middle, as in quality.py."""
@@ -36,35 +36,66 @@ def bake(place: Place, reach: float) -> nf.Impostors:
     return nf.bake_impostors(place.scene, center=place.center, reach=reach, r2=place.r2, **place.baking)
 
 
-def spots(quick: bool, size: tuple[int, int], count: int) -> Iterator[Place]:
-    """Yield the places whose scenes are available."""
-    city, (eye, _) = scenes.city(quick), nf.datasets.street_view()
-    face: dict[str, Any] = {"face_size": 128} if quick else {}
-    yield _spot("city", city, eye, 8.0, 50.0, size, count, DISTANCES[2::3] if quick else DISTANCES, face)
-    if quick:
-        return
-    forest = {"error_px": 4.0, "face_size": 512}
-    yield _spot("forest", nf.datasets.forest(trees=6000), (0.0, 1.7, 0.0), 8.0, 30.0, size, count, DISTANCES, forest)
-    for name, tokyo in scenes.present("Tokyo core"):
-        yield _spot(name, tokyo, center_for(tokyo, 50.0), 8.0, 50.0, size, count, DISTANCES)
-    for name, garage in scenes.present("garage"):
-        yield _spot(name, garage, (0.0, 1.5, 0.3), 0.75, 1.5, size, count, (0.25, 0.5, 0.75))
-    eye, _ = nf.datasets.factory_view()
-    yield _spot("factory", nf.datasets.factory(), eye, 2.0, 10.0, size, count, DISTANCES[:4])
+def spots(quick: bool, size: tuple[int, int], count: int, only: list[str]) -> Iterator[Place]:
+    """Yield the places whose scenes are available, or those with the names in `only`."""
+    makers: dict[str, Callable[[], Place | None]] = {
+        "city": lambda: _city(quick, size, count),
+        "forest": lambda: _forest(size, count),
+        "Tokyo core": lambda: _tokyo(size, count),
+        "garage": lambda: _garage(size, count),
+        "factory": lambda: _factory(size, count),
+    }
+    for name in only or (["city"] if quick else makers):
+        place = makers[name]()
+        if place is not None:
+            yield place
 
 
-def _spot(
-    name: str, scene: nf.Scene, center: Any, reach: float, r2: float, size: tuple[int, int], count: int,
-    distances: tuple[float, ...], baking: dict[str, Any] | None = None,
-) -> Place:  # fmt: skip
+Size = tuple[int, int]
+
+
+def _city(quick: bool, size: Size, count: int) -> Place:
+    center, _ = nf.datasets.street_view()
+    place = Place("city", scenes.city(quick), center, 8.0, 50.0, baking={"face_size": 128} if quick else {})
+    return _with_users(place, (1.0, 8.0) if quick else DISTANCES, size, count)
+
+
+def _forest(size: Size, count: int) -> Place:
+    baking: dict[str, Any] = {"error_px": 4.0, "face_size": 512}
+    place = Place("forest", nf.datasets.forest(trees=6000), (0.0, 1.7, 0.0), 8.0, 30.0, baking=baking)
+    return _with_users(place, DISTANCES, size, count)
+
+
+def _tokyo(size: Size, count: int) -> Place | None:
+    scene = scenes.load("Tokyo core")
+    if scene is None:
+        return None
+    return _with_users(Place("Tokyo core", scene, center_for(scene, 50.0), 8.0, 50.0), DISTANCES, size, count)
+
+
+def _garage(size: Size, count: int) -> Place | None:
+    scene = scenes.load("garage")
+    if scene is None:
+        return None
+    return _with_users(Place("garage", scene, (0.0, 1.5, 0.3), 0.75, 1.5), (0.25, 0.5, 0.75), size, count)
+
+
+def _factory(size: Size, count: int) -> Place:
+    center, _ = nf.datasets.factory_view()
+    place = Place("factory", nf.datasets.factory(), center, 2.0, 10.0)
+    return _with_users(place, (0.25, 0.5, 1.0, 2.0), size, count)
+
+
+def _with_users(place: Place, distances: tuple[float, ...], size: Size, count: int) -> Place:
+    """Add users, at each distance in another direction, where there is room."""
     fov = nf.Fov.symmetric(FIELD, size[0] / size[1])
     users = {}
     for number, distance in enumerate(distances):
-        # Another direction at each distance.
-        cameras = ring(scene, center, distance, size, count + number)[number:]
-        if cameras:
-            users[distance] = [nf.Camera(user.position, user.orientation, fov=fov, size=size) for user in cameras]
-    return Place(name, scene, center, reach, r2, users, baking or {})
+        cameras = ring(place.scene, place.center, distance, size, count + number)
+        chosen = cameras[number:] or cameras[-count:]
+        if chosen:
+            users[distance] = [nf.Camera(user.position, user.orientation, fov=fov, size=size) for user in chosen]
+    return replace(place, users=users)
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,6 +109,7 @@ class Result:
 
     @property
     def mean(self) -> Measures:
+        """Mean over all distances."""
         return measures.mean(list(self.by_distance.values()))
 
 
@@ -121,7 +153,8 @@ def methods(place: Place, folder: Path, quick: bool) -> Iterator[tuple[str, Call
 def _impostors(place: Place, baked: nf.Impostors) -> meshes.Mesh:
     stats = baked.stats
     assert baked.far is not None
-    text = f"error_px = {baked.error_px:.3g}, {len(baked.layers)} centres, atlas {stats['atlas'][0]} × {stats['atlas'][1]}"
+    width, height = stats["atlas"]
+    text = f"error_px = {baked.error_px:.3g}, {len(baked.layers)} centres, texture of {width} × {height}"
     return meshes.Mesh(baked.far, meshes.file_bytes(baked.far, place), text, place.center)
 
 
@@ -144,18 +177,22 @@ def compare(place: Place, folder: Path, quick: bool, jod: bool) -> tuple[list[Re
                 samples, is_far = method.picture(place, user)
                 frame = places.average(samples, user)
                 truth_samples, truth = truths[user]
-                asks = jod and distance == last and user is users[-1]
-                rows.append(measures.measure(truth, frame, (truth_samples, samples), is_far, jod=asks))
+                rows.append(measures.measure(truth, frame, (truth_samples, samples), is_far))
                 pictures[name] = frame
             result.by_distance[distance] = measures.mean(rows)
         results.append(result)
-        print(place.name, name, method.setting, *(f"{d:g} m: {m.psnr:.1f}" for d, m in result.by_distance.items()), sep=" | ", flush=True)
+        curve = ", ".join(f"{distance:g} m {row.psnr:.1f} dB" for distance, row in result.by_distance.items())
+        print(f"{place.name}, {name}: {curve}; {method.setting}", flush=True)
+    if jod:
+        qualities = measures.jods(pictures, folder)
+        for result in results:
+            result.by_distance[last] = replace(result.by_distance[last], jod=qualities.get(result.name, np.nan))
     return results, pictures
 
 
 HEADER = (
-    "method | triangles {:,} | kB {:,.0f} | PSNR, dB {:.1f} | SSIM {:.3f} | FLIP {:.3f} | JOD {:.2f} | tear, px {:.2f} |"
-    " missing, % {:.2f} | made in s {:.0f} | setting"
+    "method | triangles {:,} | kB {:,.0f} | PSNR, dB {:.1f} | SSIM {:.3f} | FLIP {:.3f} | JOD {:.2f} |"
+    " tear, px {:.2f} | missing, % {:.2f} | made in s {:.0f} | setting"
 )
 
 
@@ -195,7 +232,8 @@ def _style(names: list[str], name: str) -> dict[str, Any]:
     if name == "impostors":
         return {"color": "#c8102e", "linewidth": 2.5, "marker": "o", "zorder": 5}
     number = names.index(name)
-    return {"color": f"C{number % 10}", "linestyle": ("-", "--", ":")[number % 3], "marker": "os^vD"[number % 5], "markersize": 4}
+    line, marker = ("-", "--", ":")[number % 3], "os^vD"[number % 5]
+    return {"color": f"C{number % 10}", "linestyle": line, "marker": marker, "markersize": 4}
 
 
 def draw_pictures(pictures: dict[str, nf.Frame], path: Path, columns: int = 4) -> None:
@@ -206,7 +244,8 @@ def draw_pictures(pictures: dict[str, nf.Frame], path: Path, columns: int = 4) -
     lines = [np.concatenate(tiles[k : k + columns], axis=1) for k in range(0, len(tiles), columns)]
     sheet = Image.fromarray(np.concatenate(lines))
     width = min(sheet.width, 1600)
-    sheet.resize((width, sheet.height * width // sheet.width), Image.Resampling.LANCZOS).save(path, quality=82, optimize=True)
+    sheet = sheet.resize((width, sheet.height * width // sheet.width), Image.Resampling.LANCZOS)
+    sheet.save(path, quality=82, optimize=True)
 
 
 def versions() -> str:
@@ -221,17 +260,22 @@ def versions() -> str:
 
 
 def main() -> None:
-    options = start(__doc__, "--quick", "--plots", users=(1, "users at each distance"), only=([""], "places"))
+    options = start(
+        __doc__,
+        "--quick",
+        "--plots",
+        users=(1, "users at each distance"),
+        only={"nargs": "*", "default": [], "help": "names of places; by default all"},
+    )
     size = (160, 90) if options.quick else (640, 360)
     print(versions(), flush=True)
     found: dict[str, list[Result]] = {}
     with folder_or_temporary() as folder:
-        for place in spots(options.quick, size, options.users):
-            if any(options.only) and place.name not in options.only:
-                continue
+        for place in spots(options.quick, size, options.users, options.only):
             found[place.name], pictures = compare(place, folder, options.quick, jod=not options.quick)
-            title = f"{place.name}: means of users at {', '.join(f'{d:g}' for d in place.users)} m, reach {place.reach:g} m"
-            print(table(f"{title}, r2 = {place.r2:g} m, {size[0]} × {size[1]}", HEADER, rows_of(found[place.name])), flush=True)
+            where = ", ".join(f"{distance:g}" for distance in place.users)
+            title = f"{place.name}: reach {place.reach:g} m, r2 = {place.r2:g} m, means of users at {where} m"
+            print(table(title, HEADER, rows_of(found[place.name])), flush=True)
             if options.plots is not None:
                 draw_pictures(pictures, options.plots / f"impostor_peers_{place.name.split()[0]}.jpg")
                 draw_curves(found, options.plots / "impostor_peers.png")

@@ -22,8 +22,7 @@ Kind = Literal["conventional", "continuous", "chosen radii"]
 KINDS: tuple[Kind, ...] = get_args(Kind)
 
 SMALLEST, LARGEST = 16, 1280
-"""Least and greatest width of a face, texels. 1280 are 11 texels a degree in the middle of a face, as many as the pixels
-of the pictures, so that more show nothing new."""
+"""Least and greatest width of a face, texels. 1280 are 11 a degree in the middle, as many as pixels."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,6 +35,7 @@ class CubeMap:
     triangles: int = 0
 
     def picture(self, place: Place, user: nf.Camera) -> tuple[nf.Frame, NDArray[np.bool_]]:
+        """Draw near and far part; see `Method`."""
         frame = self.reduced.render(fine(user), user=user.position, channels=("color", "position"))
         away = frame.require("position") + np.subtract(frame.origin, place.center)
         return frame, ~(np.hypot(away[..., 0], away[..., 2]) <= place.r2)
@@ -156,9 +156,11 @@ class Reprojected:
 
     @property
     def triangles(self) -> int:
+        """Number of triangles that are drawn for the far part."""
         return self.mesh.triangle_count
 
     def picture(self, place: Place, user: nf.Camera) -> tuple[nf.Frame, NDArray[np.bool_]]:
+        """Draw near and far part; see `Method`."""
         frame = nf.render(self.mesh, fine(user), channels=("range", "face_id"))
         points = places.points_of(frame)
         is_hit = np.isfinite(points[..., 0])
@@ -193,7 +195,7 @@ def reprojected(place: Place, budget: int) -> Reprojected:
         mesh, constant = _texel_mesh(place, shape, color)
         return Reprojected(mesh, color, constant, count + shape.bytes, f"6 × {edge}² texels with range")
 
-    return fill(make, lambda made: made.bytes, budget, SMALLEST, LARGEST)  # type: ignore[no-any-return]
+    return fill(make, lambda made: made.bytes, budget, SMALLEST, LARGEST, first=1024.0)  # type: ignore[no-any-return]
 
 
 def _texel_mesh(place: Place, shape: Relief, color: Floats) -> tuple[nf.Scene, Floats]:

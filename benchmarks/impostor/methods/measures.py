@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
+import json
+import subprocess
+import sys
+from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from importlib.util import find_spec
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
@@ -43,9 +48,7 @@ def pixels_per_degree(camera: nf.Camera) -> float:
     return float(np.radians(camera.width / (fov.right - fov.left)))  # type: ignore[union-attr]
 
 
-def measure(
-    truth: nf.Frame, test: nf.Frame, samples: tuple[nf.Frame, nf.Frame], is_far: NDArray[np.bool_], *, jod: bool
-) -> Measures:
+def measure(truth: nf.Frame, test: nf.Frame, samples: tuple[nf.Frame, nf.Frame], is_far: NDArray[np.bool_]) -> Measures:
     """Compare pictures; `samples` are those of the truth and of the test, with positions."""
     density = pixels_per_degree(truth.camera)
     shown, hidden = (np.isfinite(frame.require("position")[..., 0]) for frame in samples)
@@ -53,10 +56,27 @@ def measure(
         psnr=nf.psnr(truth, test),
         ssim=float(nf.ssim(truth, test)),
         flip=float(nf.metrics.flip(truth, test, pixels_per_degree=density)) if has_flip() else np.nan,
-        jod=nf.metrics.jod(truth, test, pixels_per_degree=density) if jod and has_jod() else np.nan,
+        jod=np.nan,
         tear=seam_tear(samples[1], is_far),
         missing=float((shown & ~hidden).mean()),
     )
+
+
+def jods(pictures: Mapping[str, nf.Frame], folder: Path) -> dict[str, float]:
+    """Compute the JOD of pictures by name against the one called "truth"; empty without cvvdp.
+
+    Another process does it, because PyTorch and flip-evaluator crash in one.
+    """
+    if not has_jod():
+        return {}
+    names = [name for name in pictures if name != "truth"]
+    stack = np.stack([pictures[name].to_image() for name in ("truth", *names)])
+    path = folder / "pictures.npy"
+    np.save(path, stack)
+    density = pixels_per_degree(pictures["truth"].camera)
+    command = [sys.executable, "-m", "benchmarks.impostor.methods.jod", str(path), str(density)]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    return dict(zip(names, json.loads(done.stdout), strict=True))
 
 
 def seam_tear(samples: nf.Frame, is_far: NDArray[np.bool_]) -> float:

@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
+from benchmarks.harness.views import Point
 from benchmarks.impostor.methods import maps, place as places
 from benchmarks.impostor.methods.place import Place, fill
-from benchmarks.harness.views import Point
 from nearfar import _core
 from nearfar._base import webp
 from nearfar.lod._simplify.meshopt import MeshoptSimplifier
@@ -60,14 +60,18 @@ class Mesh:
 
     @property
     def triangles(self) -> int:
+        """Number of triangles that are drawn for the far part."""
         return self.mesh.triangle_count
 
     def picture(self, place: Place, user: nf.Camera) -> tuple[nf.Frame, NDArray[np.bool_]]:
+        """Draw near and far part; see `Method`."""
         frame = places.draw_scene(self.mesh, user)
         points = places.points_of(frame)
+        is_baked = self.baked_from is not None
         if self.baked_from is not None:
             points = places.baked_at(place.far, points, self.baked_from)
-        return place.compose(user, places.Far(frame.require("color"), frame.require("range"), points))
+        far = places.Far(frame.require("color"), frame.require("range"), points)
+        return place.compose(user, far, moved=not is_baked)
 
 
 class Visible:
@@ -79,7 +83,7 @@ class Visible:
 
     def __init__(self, place: Place, triangles: NDArray[np.bool_] | None = None) -> None:
         self._place = place
-        self._base = Base(place.scene.subset(triangles=place.seen > 0 if triangles is None else triangles), "far")
+        self._base = Base(place.visible if triangles is None else place.scene.subset(triangles=triangles), "far")
         whole = self._base.surface
         center = np.subtract(place.center, place.scene.origin)
         corners = whole.positions[whole.faces].astype(np.float64) - center
@@ -103,6 +107,7 @@ class Visible:
         return np.asarray(self._place.r2 * 2.0 ** shell[:, None])
 
     def simplifier(self, library: Library) -> QuadricSimplifier | MeshoptSimplifier:
+        """Prepare the surface for a library."""
         return (QuadricSimplifier if library == "fast-simplification" else MeshoptSimplifier)(self._whole, self._places)
 
     def scene_of(self, surface: Surface) -> nf.Scene:

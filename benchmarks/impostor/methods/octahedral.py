@@ -13,7 +13,7 @@ from scipy.ndimage import distance_transform_edt
 import nearfar as nf
 from benchmarks.harness.pictures import blocks
 from benchmarks.impostor.methods import place as places
-from benchmarks.impostor.methods.meshes import Visible, file_bytes, simplified
+from benchmarks.impostor.methods.meshes import Visible, simplified
 from benchmarks.impostor.methods.place import Place, fill
 from nearfar import _core
 from nearfar._base import webp
@@ -88,13 +88,12 @@ def clusters(place: Place, ways: NDArray[np.float64]) -> tuple[list[Cluster], ND
     keys = np.column_stack([np.floor(middles / side[:, None]), side])
     cells, cell_of = np.unique(keys[~is_long], axis=0, return_inverse=True)
     users = np.array(place.probes())
-    visible = place.scene.subset(triangles=place.seen > 0)
     number_of = np.cumsum(place.seen > 0) - 1
     order = np.argsort(cell_of, kind="stable")
     parts = np.split(seen[~is_long][order], np.flatnonzero(np.diff(cell_of[order])) + 1)
     found = []
     for part in parts if len(cells) else []:
-        scene = visible.subset(triangles=number_of[part])
+        scene = place.visible.subset(triangles=number_of[part])
         points = scene.triangles().reshape(-1, 3).astype(np.float64) + scene.origin
         low, high = points.min(axis=0), points.max(axis=0)
         middle = 0.5 * (low + high)
@@ -180,6 +179,7 @@ class Octahedral:
 
     @property
     def triangles(self) -> int:
+        """Number of triangles that are drawn for the far part."""
         return 2 * len(self.cards) + (0 if self.kept is None else self.kept.triangle_count)
 
     def chosen(self, user: nf.Camera) -> list[int]:
@@ -192,6 +192,7 @@ class Octahedral:
         return numbers
 
     def scene(self, numbers: list[int]) -> nf.Scene:
+        """Make a scene of some cards, by number."""
         height, width = self.atlas.shape[:2]
         build = nf.SceneBuilder()
         material = build.material((1, 1, 1, 1), self.atlas, CUTOFF, unlit=True)
@@ -207,6 +208,7 @@ class Octahedral:
         return build.build()
 
     def picture(self, place: Place, user: nf.Camera) -> tuple[nf.Frame, NDArray[np.bool_]]:
+        """Draw near and far part; see `Method`."""
         numbers = self.chosen(user)
         cards = self.scene(numbers)
         scene = cards if self.kept is None else join_scenes([cards, self.kept])
@@ -220,7 +222,7 @@ class Octahedral:
 
 
 def octahedral(place: Place, *, triangles: int, budget: int, count: int = GRID) -> Octahedral:
-    """Make the cards with the finest texels that keep a budget of bytes, and geometry from the rest of the triangles."""
+    """Make the cards with the finest texels that keep a budget of bytes; long triangles stay geometry, simplified."""
     ways = grid(count)
     groups, is_kept = clusters(place, ways)
     kept, kept_bytes = None, 0

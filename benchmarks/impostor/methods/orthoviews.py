@@ -31,11 +31,13 @@ class Orthoviews:
     setting: str
 
     def picture(self, place: Place, user: nf.Camera) -> tuple[nf.Frame, NDArray[np.bool_]]:
+        """Draw near and far part; see `Method`."""
         frame = self.tree.render(
             fine(user), error_px=self.error_px, geometry=False, samples=1, channels=("color", "range")
         )
         points = places.points_of(frame)
-        return place.compose(user, places.Far(frame.require("color"), frame.require("range"), points))
+        far = places.Far(frame.require("color"), frame.require("range"), points)
+        return place.compose(user, far, moved=True)
 
 
 def orthoviews(place: Place, budget: int, folder: Path) -> Orthoviews:
@@ -43,7 +45,7 @@ def orthoviews(place: Place, budget: int, folder: Path) -> Orthoviews:
 
     The bytes are those of the views that all users need, in all directions around them.
     """
-    part = place.scene.subset(triangles=place.seen > 0)
+    part = place.visible
     weight = np.minimum(place.seen[place.seen > 0], 50)
     middles = part.triangles().mean(axis=1) + part.origin
     away = np.linalg.norm(middles - place.center, axis=1)

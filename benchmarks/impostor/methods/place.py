@@ -9,10 +9,14 @@ from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.ndimage import binary_dilation
 
 import nearfar as nf
 from benchmarks.harness.pictures import blocks
 from benchmarks.harness.views import Point
+
+BAND = 12
+"""Samples beside the seam of near and far part whose points of the scene are looked for."""
 
 GRID = 2
 """Samples along each side of a pixel; the same places for every method."""
@@ -45,7 +49,7 @@ class Method(Protocol):
     """Parameters, and what was chosen for the budget."""
 
     def picture(self, place: Place, user: nf.Camera) -> tuple[nf.Frame, NDArray[np.bool_]]:
-        """Draw near and far part in `GRID`² samples for each pixel; return them and whether a sample is of the far part.
+        """Draw `GRID`² samples for each pixel of both parts; return them, and whether each is of the far part.
 
         The frame's `position` is the point of the scene whose colour is shown.
         """
@@ -61,13 +65,15 @@ class Place:
     center: Point
     reach: float
     r2: float
-    users: Mapping[float, list[nf.Camera]]
+    users: Mapping[float, list[nf.Camera]] = field(default_factory=dict)
+    """Cameras by distance from the centre, metres."""
     baking: dict[str, Any] = field(default_factory=dict)
     """Further arguments of the bake of impostors."""
     _near_pictures: dict[nf.Camera, nf.Frame] = field(default_factory=dict)
 
     @cached_property
     def zones(self) -> nf.Partition:
+        """Partition at r2."""
         return nf.partition(self.scene, center=self.center, r1=0.0, r2=self.r2)
 
     @cached_property
@@ -79,10 +85,12 @@ class Place:
 
     @cached_property
     def near(self) -> nf.Scene:
+        """Near part, the same for all methods but those with a cube map, which move it or cut it off at r2."""
         return self.scene.subset(triangles=self.is_near)
 
     @cached_property
     def far(self) -> nf.Scene:
+        """All other triangles."""
         return self.scene.subset(triangles=~self.is_near)
 
     def tolerance(self, pixels: float) -> float:
@@ -96,12 +104,26 @@ class Place:
             self._near_pictures[user] = nf.render(self.near, fine(user), channels=channels)
         return self._near_pictures[user]
 
-    def compose(self, user: nf.Camera, far: Far) -> tuple[nf.Frame, NDArray[np.bool_]]:
-        """Put samples of a far part behind the near part."""
+    @cached_property
+    def visible(self) -> nf.Scene:
+        """The far triangles that probes see."""
+        return self.scene.subset(triangles=self.seen > 0)
+
+    def compose(self, user: nf.Camera, far: Far, *, moved: bool = False) -> tuple[nf.Frame, NDArray[np.bool_]]:
+        """Put samples of a far part behind the near part.
+
+        If the method has `moved` surfaces, so that `far.shown` is where something is displayed, the nearest points of
+        the scene take its place close to the seam.
+        """
         near = self.near_picture(user)
         is_far = far.range < near.require("range")
         color = np.where(is_far[..., None], far.color, near.require("color"))
-        position = np.where(is_far[..., None], far.shown - near.origin, near.require("position"))
+        shown = far.shown
+        if moved:
+            band = is_far & binary_dilation(~is_far, iterations=BAND) & np.isfinite(shown[..., 0])
+            shown = shown.copy()
+            shown[band] = nearest(self.visible, shown[band])
+        position = np.where(is_far[..., None], shown - near.origin, near.require("position"))
         return nf.Frame(near.camera, near.origin, color=color, position=position.astype(np.float32)), is_far
 
     def probes(self) -> list[Point]:
@@ -145,7 +167,19 @@ def points_of(frame: nf.Frame) -> NDArray[np.float64]:
     """World positions (H, W, 3) of what a frame with ranges displays; NaN without a surface."""
     origins, directions = frame.camera.rays()
     distance = frame.require("range")[..., None].astype(np.float64)
-    return np.where(np.isfinite(distance), origins + directions * np.where(np.isfinite(distance), distance, 0.0), np.nan)
+    return np.where(
+        np.isfinite(distance), origins + directions * np.where(np.isfinite(distance), distance, 0.0), np.nan
+    )
+
+
+def nearest(scene: nf.Scene, points: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the surface points nearest to points (N, 3)."""
+    if not len(points):
+        return points
+    found = nf.nearest_points(scene, points)
+    corners = scene.triangles()[found.triangle_index].astype(np.float64) + scene.origin
+    second, third = found.barycentric.T[:, :, None]
+    return np.asarray(corners[:, 0] * (1.0 - second - third) + corners[:, 1] * second + corners[:, 2] * third)
 
 
 def along(scene: nf.Scene, points: NDArray[np.float64], directions: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -160,7 +194,7 @@ def along(scene: nf.Scene, points: NDArray[np.float64], directions: NDArray[np.f
 
 
 def baked_at(scene: nf.Scene, points: NDArray[np.float64], center: Point) -> NDArray[np.float64]:
-    """Return for displayed points (H, W, 3) the points of the scene that are seen in the same direction from a centre."""
+    """Return for displayed points (H, W, 3) the points of the scene in the same direction from a centre."""
     found = points.copy()
     is_shown = np.isfinite(points[..., 0])
     rays = points[is_shown] - center
@@ -179,9 +213,9 @@ def fill(
 ) -> Any:
     """Make the result with the greatest parameter whose cost, which grows with it, keeps a budget.
 
-    The first try is `high` unless `first` is given, and there are at most `TRIES`. Further parameters are chosen by interpolation of logarithms between the best one within and the least one beyond the
-    budget, within `low` and `high`; it ends when 97 % of the budget are used. If nothing keeps it, the cheapest result
-    is returned.
+    The first try is `high`, or `first` if it is given, and there are at most `TRIES`. Further parameters are chosen by
+    interpolation of logarithms, within `low` and `high`; it ends when 92 % of the budget are used. If nothing keeps it,
+    the cheapest result is returned.
     """
     value, best = high if first is None else first, None
     inside: tuple[float, float] | None = None
