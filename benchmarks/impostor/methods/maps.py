@@ -64,7 +64,9 @@ def cube_maps(place: Place, budget: int) -> dict[Kind, CubeMap]:
 
     reduced, count = fill(make, lambda made: float(made[1]), budget, SMALLEST, LARGEST)
     assert reduced.env is not None
-    chosen = nf.choose_radii(place.scene, place.center, r2=place.r2, reach=place.reach).r1
+    # Farther from the centre the morph would fold the picture.
+    reach = min(place.reach, 0.47 * place.r2)
+    chosen = nf.choose_radii(place.scene, place.center, r2=place.r2, reach=reach).r1
     kinds: dict[Kind, nf.ReducedScene] = {
         "conventional": reduced.with_morph("none"),
         "continuous": reduced,
