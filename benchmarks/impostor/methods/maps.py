@@ -231,13 +231,13 @@ def _texel_mesh(place: Place, shape: Relief, color: Floats) -> tuple[nf.Scene, F
         quads.append(start + np.arange(part_depths.size).reshape(-1, 4))
         start += part_depths.size
     faces = np.concatenate(quads)[:, [[0, 1, 2], [0, 2, 3]]].reshape(-1, 3)
-    constant = np.repeat(_behind(w, torn, color)[torn][has_back], 2, axis=0)
+    constant = np.repeat(_colors_behind(w, torn, color)[torn][has_back], 2, axis=0)
     used, numbers = np.unique(faces, return_inverse=True)
     world = np.concatenate(vertices)[used] + place.center
     return nf.Scene.from_arrays(world.astype(np.float32), numbers.reshape(-1, 3).astype(np.uint32)), constant
 
 
-def _behind(quads: NDArray[np.float64], torn: NDArray[np.bool_], color: Floats) -> Floats:
+def _colors_behind(quads: NDArray[np.float64], torn: NDArray[np.bool_], color: Floats) -> Floats:
     """Return for each texel the colour of the farthest whole texel among its 24 neighbours, else its own."""
     result, least = color.copy(), np.full(torn.shape, np.inf)
     mean = np.where(torn | (quads.min(axis=-1) == 0), np.inf, quads.mean(axis=-1))

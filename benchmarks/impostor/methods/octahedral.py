@@ -79,7 +79,7 @@ def clusters(place: Place, ways: NDArray[np.float64]) -> tuple[list[Cluster], ND
     Cells of an octree are as large as `SPREAD` allows. A frame belongs to a cluster if it is the nearest one for a user
     of the region; the others, which engines store for all directions, are left out.
     """
-    seen = np.flatnonzero(place.seen > 0)
+    seen = np.flatnonzero(place.sample_counts > 0)
     corners = place.scene.triangles()[seen].astype(np.float64) + place.scene.origin
     middles = corners.mean(axis=1)
     distance = np.linalg.norm(middles - place.center, axis=1)
@@ -88,7 +88,7 @@ def clusters(place: Place, ways: NDArray[np.float64]) -> tuple[list[Cluster], ND
     keys = np.column_stack([np.floor(middles / side[:, None]), side])
     cells, cell_of = np.unique(keys[~is_long], axis=0, return_inverse=True)
     users = np.array(place.probes())
-    number_of = np.cumsum(place.seen > 0) - 1
+    number_of = np.cumsum(place.sample_counts > 0) - 1
     order = np.argsort(cell_of, kind="stable")
     parts = np.split(seen[~is_long][order], np.flatnonzero(np.diff(cell_of[order])) + 1)
     found = []
@@ -182,7 +182,7 @@ class Octahedral:
         """Number of triangles that are drawn for the far part."""
         return 2 * len(self.cards) + (0 if self.kept is None else self.kept.triangle_count)
 
-    def chosen(self, user: nf.Camera) -> list[int]:
+    def choose(self, user: nf.Camera) -> list[int]:
         """Numbers of the cards that a user sees."""
         numbers = []
         for cluster, by_frame in self.cards.items():
@@ -209,7 +209,7 @@ class Octahedral:
 
     def picture(self, place: Place, user: nf.Camera) -> tuple[nf.Frame, NDArray[np.bool_]]:
         """Draw near and far part; see `Method`."""
-        numbers = self.chosen(user)
+        numbers = self.choose(user)
         cards = self.scene(numbers)
         scene = cards if self.kept is None else join_scenes([cards, self.kept])
         frame = places.draw_scene(scene, user, "face_id")
@@ -217,7 +217,7 @@ class Octahedral:
         owner = frame.require("face_id") // 2
         is_card = (owner >= 0) & (owner < len(numbers))
         ways = np.array([self.all_cards[number].direction for number in numbers])[owner[is_card]]
-        points[is_card] = places.along(place.far, points[is_card], ways)
+        points[is_card] = places.move_along(place.far, points[is_card], ways)
         return place.compose(user, places.Far(frame.require("color"), frame.require("range"), points))
 
 

@@ -107,7 +107,7 @@ class Place:
     @cached_property
     def visible(self) -> nf.Scene:
         """The far triangles that probes see."""
-        return self.scene.subset(triangles=self.seen > 0)
+        return self.scene.subset(triangles=self.sample_counts > 0)
 
     def compose(self, user: nf.Camera, far: Far, *, moved: bool = False) -> tuple[nf.Frame, NDArray[np.bool_]]:
         """Put samples of a far part behind the near part.
@@ -135,7 +135,7 @@ class Place:
         return [tuple(np.add(self.center, step).tolist()) for step in steps]  # type: ignore[misc]
 
     @cached_property
-    def seen(self) -> NDArray[np.int64]:
+    def sample_counts(self) -> NDArray[np.int64]:
         """Samples (T,) of each far triangle in the probes' cube maps."""
         counts = np.zeros(self.scene.triangle_count, np.int64)
         for number, probe in enumerate(self.probes()):
@@ -164,7 +164,7 @@ def draw_scene(scene: nf.Scene, user: nf.Camera, *channels: str) -> nf.Frame:
 
 
 def points_of(frame: nf.Frame) -> NDArray[np.float64]:
-    """World positions (H, W, 3) of what a frame with ranges displays; NaN without a surface."""
+    """Return the world positions (H, W, 3) that a frame with ranges displays; NaN without a surface."""
     origins, directions = frame.camera.rays()
     distance = frame.require("range")[..., None].astype(np.float64)
     return np.where(
@@ -182,7 +182,7 @@ def nearest(scene: nf.Scene, points: NDArray[np.float64]) -> NDArray[np.float64]
     return np.asarray(corners[:, 0] * (1.0 - second - third) + corners[:, 1] * second + corners[:, 2] * third)
 
 
-def along(scene: nf.Scene, points: NDArray[np.float64], directions: NDArray[np.float64]) -> NDArray[np.float64]:
+def move_along(scene: nf.Scene, points: NDArray[np.float64], directions: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return the surface points nearest to points (N, 3) on the lines through them; the points where there is none.
 
     A colour was baked along such a line, so it belongs to one of the surfaces on it.
@@ -198,7 +198,7 @@ def baked_at(scene: nf.Scene, points: NDArray[np.float64], center: Point) -> NDA
     found = points.copy()
     is_shown = np.isfinite(points[..., 0])
     rays = points[is_shown] - center
-    found[is_shown] = along(scene, points[is_shown], rays / np.linalg.norm(rays, axis=1, keepdims=True))
+    found[is_shown] = move_along(scene, points[is_shown], rays / np.linalg.norm(rays, axis=1, keepdims=True))
     return found
 
 
