@@ -28,8 +28,8 @@ LONGEST = 2.0
 QUALITY = 80
 
 GRID = 32
-"""Squares along each side of the octahedral map: neighbouring directions are 3 to 6 degrees apart. 24, 48 and 96 gave
-the city 0.2 dB less, at the bytes of impostors."""
+"""Squares along each side of the octahedral map: neighbouring directions are 3 to 6 degrees apart. With 24, 48 and 96
+squares two pictures of the city differed by less than 0.5 dB at equal bytes."""
 
 CUTOFF = 0.5
 
