@@ -53,6 +53,7 @@ ABOUT_MEMORY = re.compile(r"[Mm]emory|[Aa]llocate|start new thread|Errno 12\b")
 """Parts of messages about memory of exceptions other than MemoryError."""
 
 NOT_TRIED = {
+    "Recentering.result": "the work runs in a thread of the parent, so its need depends on when the child begins",
     "metrics.flip": "the package flip-evaluator, which is not ours, ends the process itself without memory",
 }
 """Calls that are not made, with the reasons."""
