@@ -8,7 +8,7 @@ import zipfile
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Self
+from typing import Self, Unpack
 
 import numpy as np
 import trimesh
@@ -19,7 +19,7 @@ import nearfar as nf
 from benchmarks.harness import scenes
 from benchmarks.lod._printed_turns import RIFT_S as PRINTED_RIFT_S, VIVE_PRO as PRINTED_VIVE_PRO, PrintedTurn
 from nearfar._base import data
-from nearfar.lod._measure.views import Directions
+from nearfar.lod._measure.settings import MeasureKeywords
 from nearfar.lod._select.kernel_inputs import on_panel
 from nearfar.lod._simplify.simplify import Method
 from nearfar.lod._simplify.surface import Base, Surface
@@ -113,35 +113,16 @@ def simplify_object(name: str, *, dense: bool) -> nf.lod.Levels:
 
 
 def measure_objects(
-    headset: Headset,
-    names: Iterable[str] = (),
-    *,
-    percentile: float = 25.0,
-    step: float | None = 0.05,
-    wider: int = 1,
-    views: int = VIEWS,
-    directions: Directions = "even",
-    dense: bool = False,
+    headset: Headset, names: Iterable[str] = (), *, dense: bool = False, **changes: Unpack[MeasureKeywords]
 ) -> list[nf.lod.LodModel]:
     """Measure the levels of the objects for a headset, or read them from nearfar's cache.
 
-    `dense` objects have half a million triangles and more. The screen is `wider` times as wide and high, with pixels of
-    the same size, so that the curves reach larger solid angles.
+    `dense` objects have half a million triangles and more. Without `changes` of the settings, all `VIEWS` are compared
+    at the distances of the thesis.
     """
     levels = [simplify_object(name, dense=dense) for name in names or sources()]
-    width, height = headset.size
-    settings = nf.lod.MeasureSettings(
-        fov=nf.Fov(*(wider * side for side in headset.fov._sides)),
-        size=(wider * width, wider * height),
-        spacing="published",
-        distances=16 * wider,
-        standard_error=0.0,
-        views=views,
-        directions=directions,
-        percentile=percentile,
-        step=step,
-    )
-    return nf.lod.measure(levels, settings=settings)
+    settings: MeasureKeywords = {"spacing": "published", "standard_error": 0.0, "views": VIEWS}
+    return nf.lod.measure(levels, fov=headset.fov, size=headset.size, **(settings | changes))
 
 
 @dataclass(frozen=True)

@@ -1,8 +1,7 @@
 """Mean SSIM behind the lens under a budget of triangles, compared with rules of screen-space error.
 
-All rules choose among the same levels; our curves are measured up to objects that fill a quarter of the screen. The
-budget of a view, for our rule and for the greedy one, is the number of triangles that the rule `by_screen_error` draws
-in it.
+All rules choose among the same levels, which are measured with the default settings. The budget of a view, for our rule
+and for the greedy one, is the number of triangles that the rule `by_screen_error` draws in it.
 """
 
 from __future__ import annotations
@@ -17,15 +16,20 @@ from numpy.typing import NDArray
 import nearfar as nf
 from benchmarks.harness.report import start, table
 from benchmarks.lod._objects import RIFT_S, Headset, measure_objects
-from benchmarks.lod._views import Case, Levels
+from benchmarks.lod._views import TURNS, Case, Levels
+from nearfar.lod._measure.settings import MeasureKeywords
 from nearfar.lod._select.rules import Mode
 
 PIXELS = (0.5, 1.0, 2.0, 4.0, 8.0, 16.0)
 """Allowed screen-space errors of viewers of 3D Tiles such as Cesium, pixels; 16 is the usual default."""
 SCENES = [(10, 100), (15, 500), (20, 500), (30, 1000)]
 """Radius in metres of the sphere around the user in which objects are placed, and number of objects."""
+NEAR = (3, 60)
+"""Scene with objects larger than σ₁/₁₆: radius of the sphere in metres, and number of objects."""
 STEPS = 7
 """Bisection steps of the search for a budget: to 1 % of the triangles that a rule draws."""
+DEFAULTS: MeasureKeywords = {"spacing": "geometric", "standard_error": 0.02, "views": 144, "step": None}
+"""The default settings of `measure`, but with all levels."""
 MODE: Mode = "panel"
 """Mode that measures sizes in pixels of the panel, on which scores are measured."""
 
@@ -96,11 +100,15 @@ class View:
             error[worst] = errors[level - 1, worst] if level > 1 else -np.inf
         return levels
 
-    def under_budget(self, budget: int) -> Outcome:
-        """Score our choice under a budget."""
+    def select(self, budget: int) -> nf.lod.Selection:
+        """Choose levels under a budget."""
         case, camera = self.case, self.case.with_pixels_of(self.camera, MODE)
         settings: dict[str, Any] = {"lens": case.headset.lens, "mode": MODE, "budget": budget, "full": True}
-        selection = nf.lod.select(case.models, *case.index_and_spheres, camera=camera, **settings)
+        return nf.lod.select(case.models, *case.index_and_spheres, camera=camera, **settings)
+
+    def under_budget(self, budget: int) -> Outcome:
+        """Score our choice under a budget."""
+        selection = self.select(budget)
         return self.outcome(selection.level, selection.score)
 
 
@@ -144,7 +152,7 @@ def coarsest(view: View) -> Levels:
 
 def report(headset: Headset, *, quick: bool) -> str:
     """Table by rule: its mean score, our mean with as many triangles, and our triangles at an equal mean."""
-    models = measure_objects(RIFT_S, step=None, wider=2)
+    models = measure_objects(RIFT_S, **DEFAULTS)
     cases = [Case.in_sphere(models, headset, *scene) for scene in (SCENES[:1] if quick else SCENES)]
     views = [View(case, number) for case in cases for number in range(len(case.cameras))]
     rows = []
@@ -161,8 +169,42 @@ def report(headset: Headset, *, quick: bool) -> str:
     return table(f"Rift S: mean SSIM of {len(our_outcome.scores):,} objects, with as many triangles", header, rows)
 
 
+def predictions(names: Sequence[str]) -> str:
+    """Table of measured and predicted mean scores under budgets, of all objects and of those larger than σ₁/₁₆."""
+    models, rows = measure_objects(RIFT_S, names, **DEFAULTS), []
+    for scene, turns in ((SCENES[0], TURNS), (NEAR, 3)):
+        case = Case.in_sphere(models, RIFT_S, *scene, turns=turns)
+        views = [View(case, number) for number in range(len(case.cameras))]
+        for pixels in PIXELS[2:]:
+            chosen = [view.select(case.triangles(view.by_screen_error(pixels))) for view in views]
+            measured = np.concatenate([case.scores(n, each.level) for n, each in enumerate(chosen)])
+            predicted, sizes, levels = (
+                np.concatenate([getattr(each, name) for each in chosen]) for name in ("score", "sigma_seen", "level")
+            )
+            is_scored = (levels >= 0) & np.isfinite(measured)
+            is_large = is_scored & (sizes > nf.lod.reference_solid_angle(RIFT_S.fov))
+            means = [values[mask].mean() for mask in (is_scored, is_large) for values in (measured, predicted)]
+            rows.append([scene[0], pixels, is_scored.sum(), *means[:2], is_large.sum(), *means[2:]])
+    header = "radius m | pixels {:g} | objects | measured {:.3f} | predicted {:.3f}"
+    header += " | larger than σ₁/₁₆ | measured {:.3f} | predicted {:.3f}"
+    return table("Rift S: mean SSIM under budgets, measured and predicted", header, rows)
+
+
 def main() -> None:
-    options = start(__doc__, "--quick", flat=(bool, "without the lens, whose warp resamples pictures"))
+    options = start(
+        __doc__,
+        "--quick",
+        flat=(bool, "without the lens, whose warp resamples pictures"),
+        predictions={
+            "nargs": "+",
+            "default": None,
+            "metavar": "OBJECT",
+            "help": "only compare measured and predicted scores in scenes of these objects",
+        },
+    )
+    if options.predictions:
+        print(predictions(options.predictions), flush=True)
+        return
     headset = replace(RIFT_S, lens=nf.RadialLens((0.0,)), panel_size=RIFT_S.size) if options.flat else RIFT_S
     print(report(headset, quick=options.quick), flush=True)
 

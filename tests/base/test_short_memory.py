@@ -17,9 +17,10 @@ pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="limits of the a
 
 ENVIRONMENT = {
     "MALLOC_ARENA_MAX": "1", "MALLOC_MMAP_THRESHOLD_": "131072", "MPLBACKEND": "agg", "NEARFAR_NUM_THREADS": "2",
-    "OPENBLAS_NUM_THREADS": "1",
+    "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1",
 }  # fmt: skip
-"""Large arrays return to the system when they are freed; threads, which need address space, are few."""
+"""Large arrays return to the system when they are freed; threads, which need address space, are few. Forked children of
+a process with OpenMP's threads, such as flip-evaluator's, would wait for them forever."""
 
 STAGES = sorted({entry.stage for entry in CALLABLES.values()})
 
