@@ -39,13 +39,17 @@ def shown_points(texels: Texels, camera: nf.Camera) -> tuple[nf.Frame, Mask, Flo
     """
     impostors = texels.impostors
     origins, directions = (rays.reshape(-1, 3) for rays in camera.rays())
-    hits = nf.cast_rays(impostors.scene, origins, directions)
+    assert impostors.far is not None
+    hits = nf.cast_rays(impostors.far, origins, directions)
     positions = hits.position - np.array(impostors.center)
+    is_quad = hits.hit
+    if impostors.near is not None:
+        near = nf.cast_rays(impostors.near, origins, directions)
+        is_quad = hits.hit & ~(near.t_hit <= hits.t_hit)
+        positions = np.where(is_quad[:, None], positions, near.position - np.array(impostors.center))
     drawn = positions.copy()
-    near = 0 if impostors.near is None else impostors.near.triangle_count
-    is_quad = hits.triangle_index >= near
     order = np.argsort(texels.quads.masked[texels.quads.owners], kind="stable")
-    triangles = order[hits.triangle_index[is_quad] - near]
+    triangles = order[hits.triangle_index[is_quad]]
     second, third = hits.barycentric[is_quad].astype(np.float64).T
     weights = np.stack([1.0 - second - third, second, third], axis=-1)
     corners = texel_coordinates(texels.quads)[texels.quads.faces[triangles]]
@@ -174,12 +178,11 @@ def disparities(scene: nf.Scene, impostors: nf.Impostors, cameras: list[nf.Camer
     Windows count if matching finds the true disparity within 5 % in the truth's pictures: others have no texture.
     """
     pictures = [
-        [nf.render(source, camera, samples=16, channels=("color", "range", "face_id")) for camera in cameras]
+        [nf.render(source, camera, samples=16, channels=("color", "range", "object_id")) for camera in cameras]
         for source in (scene, impostors)
     ]
     (truth, _), (frame, _) = pictures
-    near = 0 if impostors.near is None else impostors.near.triangle_count
-    is_quad = frame.require("face_id") >= near
+    is_quad = frame.require("object_id") >= len(scene.object_names)
     grey = [[picture.to_image().astype(np.float64).mean(axis=2) for picture in pair] for pair in pictures]
     camera = cameras[0]
     ahead = camera.rays()[1][camera.height // 2, camera.width // 2]
