@@ -168,7 +168,8 @@ class Texels:
         corners = np.full((len(quad), 3, 3), np.nan)
         numbers, rows = np.unique(far.triangle_index[far.hit], return_inverse=True)
         if len(numbers):
-            corners[far.hit] = self.far.subset(triangles=numbers).triangles()[rows] - self._center
+            hit = self.far.subset(triangles=numbers)
+            corners[far.hit] = (hit.triangles() + (hit.origin - self._center))[rows]
         normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
         # Hit distances are float32; the triangle's plane is more exact, unless it is seen edge-on.
         with np.errstate(all="ignore"):
