@@ -9,8 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 import nearfar as nf
 from benchmarks.impostor.bound import errors
@@ -187,7 +186,9 @@ def test_a_car_that_drives_through_r2_is_hidden_as_in_the_truth(scene: nf.Scene,
         pose[:3, 3] = center[0] + 0.2 * metres, 0.0, center[2] - metres
         truth, shown = (
             nf.render(
-                source.at({"car": pose}), view(center + [1.2, 0.3, 1.0], 0.1, (480, 270)), channels=("object_id",)
+                source.at({"car": pose}),
+                view(np.add(center, (1.2, 0.3, 1.0)), 0.1, (480, 270)),
+                channels=("object_id",),
             )
             for source in (scene, impostors)
         )

@@ -47,11 +47,7 @@ def foliage() -> nf.Scene:
     material = build.material(texture=leaf, cutoff=0.5)
     uvs = np.array([[0, 0], [1, 0], [1, 1], [0, 1]], float)
     for number in range(4):
-        card = np.array([[-9, -6, 0], [9, -6, 0], [9, 6, 0], [-9, 6, 0]], float) + [
-            3.0 * number - 5.0,
-            0.0,
-            -18.0 - 3.0 * number,
-        ]
+        card = np.add([[-9, -6, 0], [9, -6, 0], [9, 6, 0], [-9, 6, 0]], (3.0 * number - 5.0, 0.0, -18.0 - 3.0 * number))
         build.instance(build.mesh(card, [[0, 1, 2], [0, 2, 3]], material=material, uvs=uvs), name=f"card_{number}")
     wall = np.array([[-60, -40, -50], [60, -40, -50], [60, 40, -50], [-60, 40, -50]], float)
     build.instance(build.mesh(wall, [[0, 1, 2], [0, 2, 3]], material=build.material((0.9, 0.4, 0.1, 1.0))), name="wall")
