@@ -1,7 +1,8 @@
-"""Impostors among geometry: tear along r₂, disparity between the eyes 60 m away, and a car that drives from near to far.
+"""Impostors among geometry: tear along r₂, disparity between the eyes, and a car that drives from near to far.
 
-A pixel's position is the scene point whose colour it shows: the texel's point on the surface that it was baked from, not
-the quad's. "Along r₂" is the boundary of the published methods; "along the quads" is where geometry and quads adjoin.
+A pixel's position is the scene point whose colour it shows: the texel's point on the surface that it was baked from,
+not the quad's. "Along r₂" is the boundary of the published methods; "along the quads" is where geometry and quads
+adjoin.
 """
 
 from __future__ import annotations
