@@ -102,8 +102,8 @@ def row(case: Case, count: int, folder: Path) -> list[Any]:
 
 HEADER = (
     "case | texels {:,} | grown, % {:.1f} | ε, px {:.3g} | planes, px: 99 % {:.2f} | greatest {:.4f} |"
-    " above ε, % {:.4f} | texture coordinates, px: 99 % {:.2f} | greatest {:.2f} | in texels {:.3f} | positions of the file, px {:.4f} |"
-    " sum, px: 99 % {:.2f} | greatest {:.2f}"
+    " above ε, % {:.4f} | texture coordinates, px: 99 % {:.2f} | greatest {:.2f} | in texels {:.3f} |"
+    " positions of the file, px {:.4f} | sum, px: 99 % {:.2f} | greatest {:.2f}"
 )
 
 
