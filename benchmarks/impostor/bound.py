@@ -48,7 +48,7 @@ class Errors:
 def errors(texels: Texels, path: Path, count: int, seed: int = 0, users: int = 16) -> Errors:
     """Measure random texels; each is seen by `users` random users and by 16 far from its line of sight."""
     draw = np.random.default_rng(seed)
-    shown = texels.shown()
+    shown = texels.shown_texels()
     chosen = np.sort(draw.permutation(len(shown))[:count])
     vertices = texels.quads.vertices.astype(np.float64)
     file = nf.Scene.load(path)

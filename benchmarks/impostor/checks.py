@@ -77,7 +77,7 @@ def baked_points(texels: Texels, quad: NDArray[np.int64], places: Floats) -> Flo
         is_shown = texels.quads.atlas[row, column, 3] >= 128
         todo_in, texel = todo_in[is_shown], texel[is_shown]
         points = texels.points(quad[todo_in], texel + 0.5)
-        is_baked = within(texels, quad[todo_in], points)
+        is_baked = are_baked(texels, quad[todo_in], points)
         chosen = todo_in[is_baked]
         rays, _ = texels.faces.directions(quad[chosen], places[chosen], texels.size)
         center = texels.faces.center[quad[chosen]]
@@ -97,7 +97,7 @@ def baked_points(texels: Texels, quad: NDArray[np.int64], places: Floats) -> Flo
     return found
 
 
-def within(texels: Texels, quad: NDArray[np.int64], points: Points) -> Mask:
+def are_baked(texels: Texels, quad: NDArray[np.int64], points: Points) -> Mask:
     """Return whether texels were baked: the quad's plane is off by at most the error for the users farthest off."""
     draw = np.random.default_rng(0)
     users = texels.worst_users(points.plane, points.plane - texels.faces.center[quad], draw, 0)

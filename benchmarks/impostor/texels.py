@@ -31,7 +31,7 @@ def angle(a: Floats, b: Floats) -> Floats:
 
 @dataclass(frozen=True)
 class Points:
-    """What a layer's centre sees in the directions of texels; positions (N, 3) are relative to O, NaN for none."""
+    """Points that a layer's centre sees in the directions of texels, (N, 3) relative to O; NaN for none."""
 
     far: Floats
     """Point of the nearest surface beyond r₂, from which the texel was baked if anything was."""
@@ -66,7 +66,7 @@ class Faces:
     """(Q, 3) inverse depth a + b u + c v over the face, where u and v are −1 to 1."""
 
     @classmethod
-    def of(cls, quads: Quads, size: int) -> Self:
+    def from_quads(cls, quads: Quads, size: int) -> Self:
         """Find the face of each quad: the one over which all its vertices lie at the same offset from their texels."""
         centers = np.repeat([at for at, _ in quads.layers], [count for _, count in quads.layers], axis=0)
         owner = np.zeros(len(quads.vertices), np.int64)
@@ -131,7 +131,7 @@ class Texels:
     def __init__(self, scene: nf.Scene, impostors: nf.Impostors) -> None:
         assert impostors._quads is not None
         self.quads, self.size, self.impostors = impostors._quads, impostors.face_size, impostors
-        self.faces = Faces.of(self.quads, self.size)
+        self.faces = Faces.from_quads(self.quads, self.size)
         zones = nf.partition(scene, center=impostors.center, r1=0.0, r2=impostors.r2)
         is_far = np.ones(scene.triangle_count, np.bool_)
         is_far[zones.nsf] = False
@@ -143,7 +143,7 @@ class Texels:
         flat = np.column_stack([texel_coordinates(self.quads), np.zeros(len(self.quads.vertices))])
         self._atlas = nf.Scene.from_arrays(flat, self.quads.faces)
 
-    def shown(self) -> Ints:
+    def shown_texels(self) -> Ints:
         """Return column and row (N, 2) of all texels in the atlas that quads show."""
         inside = np.zeros(self.quads.atlas.shape[:2], np.bool_)
         for left, top, right, bottom in self.quads.rectangles.tolist():

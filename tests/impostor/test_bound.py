@@ -13,7 +13,7 @@ from hypothesis import given, settings, strategies as st
 
 import nearfar as nf
 from benchmarks.impostor.bound import errors
-from benchmarks.impostor.checks import baked_points, within
+from benchmarks.impostor.checks import are_baked, baked_points
 from benchmarks.impostor.texels import AROUND, AXES, DOWN, RIGHT, Mask, Texels
 from tests.support.impostor_cases import SETTINGS, view
 from tests.support.impostor_ranges import KINDS, Shape, compare, scene_of
@@ -57,21 +57,21 @@ def test_no_user_sees_a_texel_farther_off_than_the_error(
 
 def grown_beside(texels: Texels, is_baked: Mask) -> bool:
     """Whether each texel into which a mask grew is beside one of the same quad whose surface the plane shows."""
-    grown = texels.shown()[~is_baked]
+    grown = texels.shown_texels()[~is_baked]
     quad = texels.quads.owners[texels.triangles(grown)[0]].astype(np.int64)
     left, top, right, bottom = texels.quads.rectangles[quad].T
     size, is_beside = np.stack([right - left, bottom - top], axis=-1), np.zeros(len(grown), np.bool_)
     for offset in AROUND:
         places = grown - np.stack([left, top], axis=-1) + offset
         rows = np.flatnonzero(((places >= 0) & (places < size)).all(axis=1) & ~is_beside)
-        is_beside[rows] = within(texels, quad[rows], texels.points(quad[rows], places[rows] + 0.5))
+        is_beside[rows] = are_baked(texels, quad[rows], texels.points(quad[rows], places[rows] + 0.5))
     return bool(is_beside.all()) and len(grown) > 0
 
 
 def share_uncovered(texels: Texels, is_baked: Mask) -> float:
     """Share of the texels in which O sees something far that no quad of the first layer shows."""
     (center, count), size = texels.impostors.layers[0], texels.size
-    places = texels.shown()
+    places = texels.shown_texels()
     quad = texels.quads.owners[texels.triangles(places)[0]].astype(np.int64)
     chosen = is_baked & (quad < count)
     quad, places = quad[chosen], places[chosen]
@@ -97,8 +97,8 @@ def test_both_measures_find_three_times_the_error(tmp_path: Path) -> None:
         claimed = replace(baked, error_px=ERROR_PX)
         texels = Texels(scene, claimed)
         found = errors(texels, path, count=10**6)
-        # What is shown before its place is measured. What is shown behind it passes for a mask that grew, but then the
-        # place itself has no texel.
+        # The measure finds texels before their place. Texels behind it pass for a mask that grew, but then their
+        # place has none.
         is_exact = found.plane[~found.is_grown].max() <= ERROR_PX * (1.0 + 1e-6)
         is_found = not is_exact or share_uncovered(texels, ~found.is_grown) > 0.1
         assert is_found == (factor > 1.0)
@@ -109,7 +109,7 @@ def test_both_measures_find_three_times_the_error(tmp_path: Path) -> None:
 
 def test_pixels_show_scene_points_where_they_are(texels: Texels, impostors: nf.Impostors) -> None:
     draw = np.random.default_rng(5)
-    places = texels.shown()
+    places = texels.shown_texels()
     places = places[draw.permutation(len(places))[:2000]]
     quad = texels.quads.owners[texels.triangles(places)[0]].astype(np.int64)
     local = places - texels.quads.rectangles[quad, :2] + draw.uniform(0.0, 1.0, (len(places), 2))

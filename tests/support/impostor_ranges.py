@@ -91,7 +91,7 @@ def compare(scene: nf.Scene, impostors: nf.Impostors, user: Floats, turn: float,
     images = [np.pad(image, (edges, edges), mode="edge") for image in (low, high, truth.require("object_id"))]
     normals = np.pad(truth.require("normal"), (edges, edges, (0, 0)), mode="edge")
 
-    def at(image: Any, dy: int, dx: int) -> Any:
+    def beside(image: Any, dy: int, dx: int) -> Any:
         """Values of a finer image beside each pixel."""
         first = [radius + OVER // 2 + step for step in (dy, dx)]
         return image[first[0] : first[0] + OVER * size : OVER, first[1] : first[1] + OVER * size : OVER]
@@ -99,12 +99,12 @@ def compare(scene: nf.Scene, impostors: nf.Impostors, user: Floats, turn: float,
     is_sky, ok = ~np.isfinite(found), np.zeros(found.shape, np.bool_)
     steps = range(-radius, radius + 1)
     for dy, dx in itertools.product(steps, steps):
-        low_here, high_here, object_here = (at(image, dy, dx) for image in images)
+        low_here, high_here, object_here = (beside(image, dy, dx) for image in images)
         ok |= (low_here <= found) & (found <= high_here) | is_sky & (object_here < 0)
         for other in ((dy, dx + 1), (dy + 1, dx)):
             # Between neighbours on one flat surface every range may be shown.
-            low_there, high_there, object_there = (at(image, *other) for image in images)
-            is_flat = (at(normals, dy, dx) * at(normals, *other)).sum(axis=-1) > FLAT
+            low_there, high_there, object_there = (beside(image, *other) for image in images)
+            is_flat = (beside(normals, dy, dx) * beside(normals, *other)).sum(axis=-1) > FLAT
             is_same = is_flat & (object_here == object_there)
             ok |= is_same & (np.minimum(low_here, low_there) <= found) & (found <= np.maximum(high_here, high_there))
     rho = np.linalg.norm((truth.require("position") + truth.origin - impostors.center)[..., [0, 2]], axis=-1)
@@ -141,7 +141,7 @@ def allowed(impostors: nf.Impostors, truth: nf.Frame) -> tuple[Floats, Floats]:
 
 
 def nearby(impostors: nf.Impostors, size: int) -> int:
-    """Return the radius in pixels of what counts as nearby."""
+    """Return the radius in pixels within which pixels are nearby."""
     texel = 2.0 / impostors.face_size
     # A layer's centre may be twice `reach` farther from a surface than the user is.
     nearest = impostors.r2 - impostors.reach
