@@ -66,13 +66,16 @@ def _errors(
 ) -> tuple[Any, ...]:
     triangles, weights = texels.triangles(places)
     quad = texels.quads.owners[triangles].astype(np.int64)
-    local = places + 0.5 - texels.quads.rectangles[quad, :2]
+    local = np.asarray(places + 0.5 - texels.quads.rectangles[quad, :2], np.float64)
     points = texels.points(quad, local)
     eyes = texels.worst_users(points.plane, points.plane - texels.faces.center[quad], draw, users)
     corners = texels.quads.faces[triangles]
     drawn, filed = ((weights[..., None] * rows[corners]).sum(axis=1) for rows in (vertices, moved))
     plane = PIXELS * points.errors(points.plane, eyes)
-    between = lambda a, b: PIXELS * angle(a[:, None] - eyes, b[:, None] - eyes).max(axis=1)  # noqa: E731
+
+    def between(a: Floats, b: Floats) -> Floats:
+        return np.asarray(PIXELS * angle(a[:, None] - eyes, b[:, None] - eyes).max(axis=1), np.float64)
+
     off = np.abs(texels.faces.places(quad, drawn, texels.size) - local).max(axis=1)
     # A plane in front of all surfaces is no grown mask, whatever its error. Positions are float32.
     is_grown = points.is_behind & ~(plane <= texels.impostors.error_px * (1.0 + 1e-6) + 1e-4)

@@ -171,8 +171,8 @@ def match(left: Floats, right: Floats, corner: tuple[int, int]) -> float:
         ]
     )
     best = int(np.clip(np.argmin(costs), 1, len(costs) - 2))
-    before, here, after = costs[best - 1 : best + 2]
-    return best - 2 + 0.5 * (before - after) / max(before - 2.0 * here + after, 1e-12)
+    before, here, after = costs[best - 1 : best + 2].tolist()
+    return float(best - 2 + 0.5 * (before - after) / max(before - 2.0 * here + after, 1e-12))
 
 
 def disparities(
@@ -200,7 +200,7 @@ def disparities(
             if not (low > NEAREST and high < FARTHEST and high - low < 2.0 and is_quad[part].all()):
                 continue
             true = focal * IPD / float(depth[part].mean())
-            by_truth, by_quads = (match(*pair, (row, column)) for pair in grey)
+            by_truth, by_quads = (match(left, right, (row, column)) for left, right in grey)
             if abs(by_truth / true - 1.0) < 0.05:
                 yield true, by_truth, by_quads
 
@@ -208,7 +208,8 @@ def disparities(
 def disparity(name: str, scene: nf.Scene, center: Point, users: int, size: int) -> list[Any]:
     """Row: disparity of both eyes of users at half to full reach who look at surfaces some 60 m away."""
     impostors = nf.bake_impostors(scene, center=center, reach=REACH, r2=R2, face_size=size)
-    draw, found = np.random.default_rng(3), []
+    draw = np.random.default_rng(3)
+    found: list[tuple[float, float, float]] = []
     for _ in range(users):
         turn = draw.uniform(0.0, 2.0 * np.pi)
         user = np.add(center, draw.uniform(0.5, 1.0) * REACH * np.array([np.cos(turn), 0.0, np.sin(turn)]))

@@ -51,7 +51,7 @@ class Points:
         """
         seen = shown[:, None] - users
         far, first = (angle(point[:, None] - users, seen).max(axis=1) for point in (self.far, self.first))
-        return np.fmin(far, first)
+        return np.asarray(np.fmin(far, first), np.float64)
 
 
 @dataclass(frozen=True)
@@ -105,11 +105,14 @@ class Faces:
         """Return the places (N, 2) in texels of quads at which points, relative to O, lie: inverse to `directions`."""
         rays, face = points - self.center[quad], self.face[quad]
         along = (np.stack([(rays * axes[face]).sum(axis=1) for axes in (RIGHT, DOWN)], axis=-1)).T
-        return ((along / (rays * AXES[face]).sum(axis=1)).T + 1.0) * 0.5 * size - self.corner[quad]
+        on_face = (along / (rays * AXES[face]).sum(axis=1)).T
+        return np.asarray((on_face + 1.0) * 0.5 * size - self.corner[quad], np.float64)
 
 
 def _planes(owner: Ints, counts: Ints, u: Floats, v: Floats, w: Floats) -> Floats:
-    sums = lambda x: np.bincount(owner, x, len(counts))  # noqa: E731
+    def sums(x: Floats) -> Floats:
+        return np.asarray(np.bincount(owner, x, len(counts)), np.float64)
+
     mean = [sums(x) / counts for x in (u, v, w)]
     du, dv, dw = (x - m[owner] for x, m in zip((u, v, w), mean, strict=True))
     uu, uv, vv, uw, vw = (sums(a * b) for a, b in ((du, du), (du, dv), (dv, dv), (du, dw), (dv, dw)))
@@ -176,8 +179,9 @@ class Texels:
             exact = (normal * (corners[:, 0] - center)).sum(axis=1) / (normal * units).sum(axis=1)
         near = np.where(first.hit, first.t_hit, np.nan).astype(np.float64)
         distance = np.where(np.abs(exact / far.t_hit - 1.0) < 1e-3, exact, np.where(far.hit, far.t_hit, np.nan))
-        points = [center + t[:, None] * units for t in (distance, near)]
-        return Points(*points, normal, center + rays / w[:, None], length / w > first.t_hit)
+        far_point, first_point = (center + t[:, None] * units for t in (distance, near))
+        is_behind = length / w > first.t_hit
+        return Points(far_point, first_point, normal, center + rays / w[:, None], is_behind)
 
     def worst_users(self, points: Floats, directions: Floats, draw: np.random.Generator, count: int) -> Floats:
         """Return users (N, K, 3): the most distant ones from lines of sight, and `count` random ones.

@@ -82,9 +82,8 @@ def compare(scene: nf.Scene, impostors: nf.Impostors, user: Floats, turn: float,
         for pixels in (OVER * size, size)
     ]
     channels = ("range", "normal", "object_id", "position")
-    truth, shown = (
-        nf.render(source, camera, channels=channels) for source, camera in zip((scene, impostors), cameras, strict=True)
-    )
+    truth = nf.render(scene, cameras[0], channels=channels)
+    shown = nf.render(impostors, cameras[1], channels=channels)
     radius, found = OVER * nearby(impostors, size), shown.require("range").astype(np.float64)
     low, high = allowed(impostors, truth)
     edges = (radius, radius + 1)
