@@ -1,0 +1,64 @@
+"""Cost of baking impostors by the number of the scene's triangles and of texels: processor seconds and memory.
+
+Each row is a process of its own. The scene's trees are built before by a small bake, and memory is what the process
+needs beyond that.
+"""
+
+from __future__ import annotations
+
+import multiprocessing
+import resource
+import time
+from typing import Any
+
+import nearfar as nf
+from benchmarks.harness.report import save_figure, start, subplots, table
+
+CITIES = ((2, 1), (6, 1), (12, 1), (8, 2), (12, 2), (24, 2))
+"""Blocks and level of detail: 0.05 to 29 million triangles."""
+
+
+def peak_memory() -> int:
+    """Greatest memory of this process so far, bytes."""
+    return 1024 * resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+
+
+def row(blocks: int, detail: int, size: int) -> list[Any]:
+    """Bake seven centres of a city."""
+    scene, (center, _) = nf.datasets.city(blocks=blocks, detail=detail), nf.datasets.street_view()
+    options: dict[str, Any] = {"center": center, "centers": 7}
+    nf.bake_impostors(scene, **{**options, "face_size": 64, "centers": 1})
+    before, since = peak_memory(), time.process_time()
+    baked = nf.bake_impostors(scene, **options, face_size=size)
+    seconds, memory = time.process_time() - since, peak_memory() - before
+    return [scene.triangle_count / 1e6, size, baked.stats["texels"] / 1e6, baked.triangle_count, seconds, memory / 1e6]
+
+
+HEADER = (
+    "scene's triangles, 10⁶ {:.2f} | face | texels shown, 10⁶ {:.2f} | quads' triangles {:,} | CPU, s {:.1f} |"
+    " MB beyond the scene {:.0f}"
+)
+
+
+def main() -> None:
+    arguments = start(__doc__, "--quick", "--plots", sizes=[512, 1024])
+    cities, sizes = (CITIES[:2], [64]) if arguments.quick else (CITIES, arguments.sizes)
+    rows = []
+    for blocks, detail in cities:
+        for size in sizes:
+            with multiprocessing.get_context("spawn").Pool(1) as pool:
+                rows.append(pool.apply(row, (blocks, detail, size)))
+            print(*rows[-1], flush=True)
+    print(table("Baking impostors from seven centres of cities", HEADER, rows))
+    if arguments.plots is not None:
+        figure, axes = subplots()
+        for size in sizes:
+            millions, seconds = zip(*((one[0], one[4]) for one in rows if one[1] == size), strict=True)
+            axes.plot(millions, seconds, "o-", label=f"{size}² texels a face")
+        axes.set(xscale="log", xlabel="million triangles", ylabel="processor seconds", ylim=(0, None))
+        axes.legend()
+        save_figure(figure, arguments.plots / "impostor_cost.svg")
+
+
+if __name__ == "__main__":
+    main()
