@@ -33,7 +33,8 @@ CELLS = (1.0,)
 
 def bake(place: Place, reach: float) -> nf.Impostors:
     """Bake impostors; the only place that knows their call."""
-    return nf.bake_impostors(place.scene, center=place.center, reach=reach, r2=place.r2, **place.baking)
+    settings = nf.ImpostorSettings(reach=reach, visible=False, **place.baking)
+    return nf.reduce(place.scene, center=place.center, r2=place.r2, far="impostors", settings=settings)
 
 
 def spots(quick: bool, size: tuple[int, int], count: int, only: list[str]) -> Iterator[Place]:
@@ -124,12 +125,12 @@ def methods(place: Place, folder: Path, quick: bool) -> Iterator[tuple[str, Call
     for reach in CELLS:
         if reach < place.reach and not quick:
             yield f"impostors for a cell of {reach:g} m", lambda reach=reach: _impostors(place, bake(place, reach))  # type: ignore[misc]
-    made = {}
+    made: dict[str, Method] = {}
 
     def cube_map(kind: maps.Kind) -> Method:
         if not made:
             made.update(maps.cube_maps(place, budget))
-        return made[kind]  # type: ignore[no-any-return]
+        return made[kind]
 
     for kind in maps.KINDS:
         yield f"cube map, {kind}", lambda kind=kind: cube_map(kind)  # type: ignore[misc]
@@ -154,7 +155,7 @@ def _impostors(place: Place, baked: nf.Impostors) -> meshes.Mesh:
     stats = baked.stats
     assert baked.far is not None
     width, height = stats["atlas"]
-    text = f"error_px = {baked.error_px:.3g}, {len(baked.layers)} centres, texture of {width} × {height}"
+    text = f"error_px = {baked.settings.error_px:.3g}, {len(baked.layers)} centres, texture of {width} × {height}"
     return meshes.Mesh(baked.far, meshes.file_bytes(baked.far, place), text, place.center)
 
 

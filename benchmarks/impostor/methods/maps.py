@@ -141,7 +141,8 @@ def _jumps(depth: NDArray[np.float64], tolerance: float) -> NDArray[np.bool_]:
     before, after = np.roll(steps, 1, axis=1), np.roll(steps, -1, axis=1)
     before[:, 0], after[:, -1] = after[:, 0], before[:, -1]
     touches_sky = (depth[:, 1:] == 0) != (depth[:, :-1] == 0)
-    return (np.minimum(np.abs(steps - before), np.abs(steps - after)) > tolerance) | touches_sky
+    jumps: NDArray[np.bool_] = np.minimum(np.abs(steps - before), np.abs(steps - after)) > tolerance
+    return jumps | touches_sky
 
 
 @dataclass(frozen=True, eq=False)

@@ -33,7 +33,7 @@ def file_bytes(scene: nf.Scene, place: Place) -> int:
     step = 0.5 * (place.r2 - place.reach) / places.PIXELS_PER_RADIAN
     core = scene._core
     texels = _core.scene_parts(core)["textures"]
-    names = [f"{number}.webp" for number in range(len(texels))]
+    names: list[str | None] = [f"{number}.webp" for number in range(len(texels))]
     export = _core.Export(core, np.zeros(1, np.uint16), 1, names=[], images=names, encoding=_encoding(step))
     data, _ = export.glb(0, uris=[None] * len(export.shared()))
     return len(data) + sum(len(_webp(picture)) for picture in texels)
@@ -158,7 +158,7 @@ def relief_mesh(place: Place, *, triangles: int, budget: int, size: int) -> maps
     mesh = nf.Scene.from_arrays(world.astype(np.float32), simple.faces)
     geometry = file_bytes(mesh, place)
 
-    def make(edge: float) -> tuple[maps.Floats, int]:
+    def make(edge: float) -> tuple[NDArray[np.float32], int]:
         return maps.compress(maps.bake_color(place, round(edge)))
 
     color, count = fill(make, lambda made: float(made[1]), budget - geometry, maps.SMALLEST, maps.LARGEST)

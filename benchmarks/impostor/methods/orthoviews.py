@@ -55,7 +55,7 @@ def orthoviews(place: Place, budget: int, folder: Path) -> Orthoviews:
         np.minimum(part.bounds[1], np.add(place.center, limit)),
     )
     cell = float((high - low).max() / EXTENT)
-    settings = {"size": SIZE, "directions": 9, "color": "webp", "quality": 80}
+    settings: dict[str, Any] = {"size": SIZE, "directions": 9, "color": "webp", "quality": 80}
     tree = nf.orthoview.build(part, folder, cell=cell, aabb=[low, high], geometry=False, **settings)
     cameras = [user for users in place.users.values() for user in users]
 

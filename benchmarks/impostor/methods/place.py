@@ -42,11 +42,18 @@ class Far:
 class Method(Protocol):
     """Way to show the far part."""
 
-    triangles: int
-    """Number of triangles or splats that are drawn."""
-    bytes: int
-    setting: str
-    """Parameters, and what was chosen for the budget."""
+    @property
+    def triangles(self) -> int:
+        """Number of triangles or splats that are drawn."""
+        ...
+
+    @property
+    def bytes(self) -> int: ...
+
+    @property
+    def setting(self) -> str:
+        """Parameters, and what was chosen for the budget."""
+        ...
 
     def picture(self, place: Place, user: nf.Camera) -> tuple[nf.Frame, NDArray[np.bool_]]:
         """Draw `GRID`² samples for each pixel of both parts; return them, and whether each is of the far part.
@@ -132,7 +139,7 @@ class Place:
         around = self.reach * np.column_stack([np.cos(turns), np.zeros(6), np.sin(turns)])
         inner = 0.5 * around + np.outer([1, -1] * 3, [0.0, min(0.5, 0.5 * self.reach), 0.0])
         steps = np.concatenate([np.zeros((1, 3)), around, inner])
-        return [tuple(np.add(self.center, step).tolist()) for step in steps]  # type: ignore[misc]
+        return [tuple(np.add(self.center, step).tolist()) for step in steps]
 
     @cached_property
     def sample_counts(self) -> NDArray[np.int64]:
