@@ -78,7 +78,7 @@ def _errors(
 
     off = np.abs(texels.faces.places(quad, drawn, texels.size) - local).max(axis=1)
     # A plane in front of all surfaces is no grown mask, whatever its error. Positions are float32.
-    is_grown = points.is_behind & ~(plane <= texels.impostors.error_px * (1.0 + 1e-6) + 1e-4)
+    is_grown = points.is_behind & ~(plane <= texels.impostors.settings.error_px * (1.0 + 1e-6) + 1e-4)
     return (
         plane,
         between(points.plane, drawn),
@@ -91,14 +91,14 @@ def _errors(
 
 def row(case: Case, count: int, folder: Path) -> list[Any]:
     """Bake, save and measure a case."""
-    impostors = nf.bake_impostors(case.scene, center=case.center, r2=case.r2, **case.settings)
+    impostors = nf.reduce(case.scene, far="impostors", center=case.center, r2=case.r2, **case.settings)
     path = folder / "far.glb"
-    impostors.save(path, textures="png")
+    impostors.save_glb(path, part="far", textures="png")
     found = errors(Texels(case.scene, impostors), path, count)
     kept = ~found.is_grown
-    above = 100.0 * float((found.plane[kept] > impostors.error_px).mean())
+    above = 100.0 * float((found.plane[kept] > impostors.settings.error_px).mean())
     spread = [np.quantile(values[kept], (0.99, 1.0)).tolist() for values in (found.plane, found.texture, found.whole)]
-    shares = (len(kept), 100.0 * (1.0 - float(kept.mean())), impostors.error_px)
+    shares = (len(kept), 100.0 * (1.0 - float(kept.mean())), impostors.settings.error_px)
     plane, texture, whole = spread
     return [case.label, *shares, *plane, above, *texture, found.columns[kept].max(), found.file[kept].max(), *whole]
 

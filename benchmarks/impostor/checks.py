@@ -101,14 +101,14 @@ def are_baked(texels: Texels, quad: NDArray[np.int64], points: Points) -> Mask:
     """Return whether texels were baked: the quad's plane is off by at most the error for the users farthest off."""
     draw = np.random.default_rng(0)
     users = texels.worst_users(points.plane, points.plane - texels.faces.center[quad], draw, 0)
-    limit = np.radians(texels.impostors.error_px / 20.0) * (1.0 + 1e-6)
+    limit = np.radians(texels.impostors.settings.error_px / 20.0) * (1.0 + 1e-6)
     seen = points.plane[:, None] - users
     return np.asarray(angle(points.far[:, None] - users, seen).max(axis=1) <= limit)
 
 
 def tears(name: str, scene: nf.Scene, center: Point, count: int, size: int) -> list[list[Any]]:
     """Rows: tear along r₂ and where geometry and quads adjoin, means over all pixels of all views."""
-    impostors = nf.bake_impostors(scene, center=center, reach=REACH, r2=R2, face_size=size)
+    impostors = nf.reduce(scene, far="impostors", center=center, reach=REACH, r2=R2, face_size=size)
     texels, sums, used = Texels(scene, impostors), np.zeros((3, 2)), 0
     worst = 0.0
     for camera in views(center, 7):
@@ -207,7 +207,7 @@ def disparities(
 
 def disparity(name: str, scene: nf.Scene, center: Point, users: int, size: int) -> list[Any]:
     """Row: disparity of both eyes of users at half to full reach who look at surfaces some 60 m away."""
-    impostors = nf.bake_impostors(scene, center=center, reach=REACH, r2=R2, face_size=size)
+    impostors = nf.reduce(scene, far="impostors", center=center, reach=REACH, r2=R2, face_size=size)
     draw = np.random.default_rng(3)
     found: list[tuple[float, float, float]] = []
     for _ in range(users):
@@ -278,7 +278,7 @@ def main() -> None:
         flush=True,
     )
     city = dynamic.city(4, 1) if quick else dynamic.city(12, 2)
-    impostors = nf.bake_impostors(city, center=dynamic.CENTER, reach=REACH, r2=R2, face_size=size)
+    impostors = nf.reduce(city, far="impostors", center=dynamic.CENTER, reach=REACH, r2=R2, face_size=size)
     header = "car | pictures | its pixels {:,} | too many {:,} | too few {:,} | differ, % {:.2f}"
     print(
         table(

@@ -27,9 +27,9 @@ def row(blocks: int, detail: int, size: int) -> list[Any]:
     """Bake seven centres of a city."""
     scene, (center, _) = nf.datasets.city(blocks=blocks, detail=detail), nf.datasets.street_view()
     options: dict[str, Any] = {"center": center, "centers": 7}
-    nf.bake_impostors(scene, **{**options, "face_size": 64, "centers": 1})
+    nf.reduce(scene, far="impostors", **{**options, "face_size": 64, "centers": 1})
     before, since = peak_memory(), time.process_time()
-    baked = nf.bake_impostors(scene, **options, face_size=size)
+    baked = nf.reduce(scene, far="impostors", **options, face_size=size)
     seconds, memory = time.process_time() - since, peak_memory() - before
     return [scene.triangle_count / 1e6, size, baked.stats["texels"] / 1e6, baked.triangle_count, seconds, memory / 1e6]
 

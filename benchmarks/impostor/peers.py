@@ -125,7 +125,7 @@ def methods(place: Place, folder: Path, quick: bool) -> Iterator[tuple[str, Call
     for reach in CELLS:
         if reach < place.reach and not quick:
             yield f"impostors for a cell of {reach:g} m", lambda reach=reach: _impostors(place, bake(place, reach))  # type: ignore[misc]
-    made: dict[str, Method] = {}
+    made: dict[maps.Kind, maps.CubeMap] = {}
 
     def cube_map(kind: maps.Kind) -> Method:
         if not made:

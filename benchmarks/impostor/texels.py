@@ -133,7 +133,7 @@ class Texels:
 
     def __init__(self, scene: nf.Scene, impostors: nf.Impostors) -> None:
         assert impostors._quads is not None
-        self.quads, self.size, self.impostors = impostors._quads, impostors.face_size, impostors
+        self.quads, self.size, self.impostors = impostors._quads, impostors.settings.face_size, impostors
         self.faces = Faces.from_quads(self.quads, self.size)
         zones = nf.partition(scene, center=impostors.center, r1=0.0, r2=impostors.r2)
         is_far = np.ones(scene.triangle_count, np.bool_)

@@ -122,8 +122,8 @@ def measure_objects(
     """
     levels = [simplify_object(name, dense=dense) for name in names or sources()]
     settings: MeasureKeywords = {"spacing": "published", "standard_error": 0.0, "views": VIEWS}
-    chosen = cast(MeasureKeywords, {**settings, **changes})
-    return nf.lod.measure(levels, fov=headset.fov, size=headset.size, **chosen)
+    settings |= {"fov": headset.fov, "size": headset.size}
+    return nf.lod.measure(levels, settings=nf.lod.MeasureSettings(**(settings | changes)))
 
 
 @dataclass(frozen=True)

@@ -42,11 +42,11 @@ def test_no_user_sees_a_texel_farther_off_than_the_error(
     texels: Texels, impostors: nf.Impostors, tmp_path: Path
 ) -> None:
     path = tmp_path / "far.glb"
-    impostors.save(path, textures="png")
+    impostors.save_glb(path, part="far", textures="png")
     found = errors(texels, path, count=10**6, users=4)
     assert len(found.plane) == impostors.stats["texels"]
     is_baked = ~found.is_grown
-    assert 0.9 * impostors.error_px < found.plane[is_baked].max() <= impostors.error_px * (1.0 + 1e-6)
+    assert 0.9 * impostors.settings.error_px < found.plane[is_baked].max() <= impostors.settings.error_px * (1.0 + 1e-6)
     assert found.columns.max() <= 0.5 + 1e-3
     assert found.file.max() < 0.01
     # A pixel between two texels is off by both errors.
@@ -92,9 +92,9 @@ def share_uncovered(texels: Texels, is_baked: Mask) -> float:
 def test_both_measures_find_three_times_the_error(tmp_path: Path) -> None:
     scene, path = slats(), tmp_path / "far.glb"
     for factor in (1.0, 3.0):
-        baked = nf.bake_impostors(scene, **BEFORE_SLATS, error_px=factor * ERROR_PX)
-        baked.save(path, textures="png")
-        claimed = replace(baked, error_px=ERROR_PX)
+        baked = nf.reduce(scene, far="impostors", **BEFORE_SLATS, error_px=factor * ERROR_PX)
+        baked.save_glb(path, part="far", textures="png")
+        claimed = replace(baked, settings=replace(baked.settings, error_px=ERROR_PX))
         texels = Texels(scene, claimed)
         found = errors(texels, path, count=10**6)
         # The measure finds texels before their place. Texels behind it pass for a mask that grew, but then their
@@ -139,7 +139,9 @@ def check_ranges(
     apart = [replace(shape, distance=max(shape.distance, share * 1.2 + 0.8 * shape.size)) for shape in shapes]
     scene = scene_of(apart, r2, has_ground=has_ground)
     center = (0.0, 0.5 * r2 * (share + 0.1), 0.0)
-    baked = nf.bake_impostors(scene, center=center, reach=reach, r2=r2, face_size=128, centers=7, error_px=error_px)
+    baked = nf.reduce(
+        scene, far="impostors", center=center, reach=reach, r2=r2, face_size=128, centers=7, error_px=error_px
+    )
     sides = [(np.cos(turn), 0.0, np.sin(turn)), (-0.6 * np.cos(turn), 0.8, 0.0), (0.0, -0.5, np.sin(turn))]
     found = [
         compare(scene, baked, np.add(center, reach * np.array(side)), turn + 2.0 * k, 32)

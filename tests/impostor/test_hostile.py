@@ -96,7 +96,7 @@ CASES: dict[str, tuple[Callable[[], nf.Scene], dict[str, Any]]] = {
 def test_odd_scenes_keep_the_bound_and_have_no_nan(name: str, tmp_path: Path) -> None:
     make, changes = CASES[name]
     scene, options = make(), {"center": (0.0, 0.0, 0.0), **COARSE, **changes}
-    baked = nf.bake_impostors(scene, **options)
+    baked = nf.reduce(scene, far="impostors", **options)
     quads, path = baked._quads, tmp_path / "far.glb"
     if quads is None:
         assert name == "nothing seen"
@@ -107,10 +107,10 @@ def test_odd_scenes_keep_the_bound_and_have_no_nan(name: str, tmp_path: Path) ->
         normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
         assert (np.linalg.norm(normals, axis=1) > 0.0).all()
         assert (quads.texels > 0).all()
-        baked.save(path, textures="png")
+        baked.save_glb(path, part="far", textures="png")
         found = errors(Texels(scene, baked), path, count=10**5, users=2)
         # Positions are float32, which a bound near 0 does not allow for.
-        assert found.plane[~found.is_grown].max(initial=0.0) <= baked.error_px * (1.0 + 1e-4) + 1e-3
+        assert found.plane[~found.is_grown].max(initial=0.0) <= baked.settings.error_px * (1.0 + 1e-4) + 1e-3
         assert (~found.is_grown).mean() > 0.3
     reach = options["reach"]
     for side in ((0.0, 0.0, 0.0), (0.0, 0.99, 0.0), (0.7, 0.1, -0.7), (0.0, 3.0, 0.0)):
@@ -125,7 +125,7 @@ def test_odd_scenes_keep_the_bound_and_have_no_nan(name: str, tmp_path: Path) ->
 @pytest.mark.parametrize("name", ["foliage", "mirrored", "broken triangles"])
 def test_odd_scenes_look_like_the_truth(name: str) -> None:
     scene = CASES[name][0]()
-    baked = nf.bake_impostors(scene, center=(0.0, 0.0, 0.0), **{**COARSE, "face_size": 256})
+    baked = nf.reduce(scene, far="impostors", center=(0.0, 0.0, 0.0), **{**COARSE, "face_size": 256})
     camera = view(np.array([1.2, 0.4, -0.9]), 0.2)
     truth, frame = (nf.render(shown, camera, samples=4, channels=("color",)) for shown in (scene, baked))
     color = truth.require("color")
@@ -137,9 +137,9 @@ def test_millimetres_are_kept_6000_km_from_the_origin(tmp_path: Path) -> None:
     corners, faces = UNIT_BOX
     size, center = np.array([30.0, 20.0, 40.0]), np.add(FAR_AWAY, (0.123, 1.7, -0.456))
     scene = nf.Scene.from_arrays(corners * size + FAR_AWAY, faces)
-    baked = nf.bake_impostors(scene, center=center, **COARSE, error_px=1e-3)
+    baked = nf.reduce(scene, far="impostors", center=center, **COARSE, error_px=1e-3)
     assert baked.far is not None
-    baked.save(tmp_path / "far.glb")
+    baked.save_glb(tmp_path / "far.glb", part="far")
     file = nf.Scene.load(tmp_path / "far.glb")
     for shown, offset in ((baked.far, np.subtract(0.0, FAR_AWAY)), (file, np.subtract(center, FAR_AWAY))):
         points = shown.triangles().reshape(-1, 3) + (shown.origin + offset)
@@ -160,7 +160,7 @@ def test_a_bake_ends_at_once_when_it_is_interrupted(scene: nf.Scene, action: typ
         _core.bake_impostors(scene._core, options, report=report)
     assert len(calls) == 1
     # The scene is as it was, and bakes again.
-    assert nf.bake_impostors(scene, center=CENTER, **COARSE).triangle_count > 0
+    assert nf.reduce(scene, far="impostors", center=CENTER, **COARSE).triangle_count > 0
 
 
 def test_a_full_disk_leaves_the_older_file(
@@ -175,14 +175,14 @@ def test_a_full_disk_leaves_the_older_file(
 
     monkeypatch.setattr(files, "write", write_half)
     with pytest.raises(OSError, match="No space left"):
-        impostors.save(path)
+        impostors.save_glb(path, part="far")
     assert [entry.name for entry in tmp_path.iterdir()] == ["far.glb"]
     assert path.read_bytes() == b"older"
 
 
 def test_radii_that_leave_no_region_or_no_far_part_say_so(scene: nf.Scene) -> None:
     with pytest.raises(ValueError, match="r2: expected more than reach = 12 m, got 12"):
-        nf.bake_impostors(scene, **{**SETTINGS, "reach": 12.0})
-    beyond = nf.bake_impostors(scene, **{**SETTINGS, "r2": 1e6})
+        nf.reduce(scene, far="impostors", **{**SETTINGS, "reach": 12.0})
+    beyond = nf.reduce(scene, far="impostors", **{**SETTINGS, "r2": 1e6})
     assert beyond.far is None
     assert "no static triangle beyond 1e+06 m is seen" in repr(beyond)

@@ -122,7 +122,7 @@ def allowed(impostors: nf.Impostors, truth: nf.Frame) -> tuple[Floats, Floats]:
     By definition: the greatest s = |P − P′| for which s k ≤ sin ε · m · max(m − s, t′ − k), t′ = t ± s, for each layer.
     """
     points = truth.require("position").astype(np.float64) + truth.origin - impostors.center
-    sine = np.sin(np.radians(impostors.error_px / 20.0))
+    sine = np.sin(np.radians(impostors.settings.error_px / 20.0))
     m = np.linalg.norm(points, axis=-1) - impostors.reach
     nearer, farther = np.zeros_like(m), np.zeros_like(m)
     for at, _ in impostors.layers:
@@ -141,7 +141,7 @@ def allowed(impostors: nf.Impostors, truth: nf.Frame) -> tuple[Floats, Floats]:
 
 def nearby(impostors: nf.Impostors, size: int) -> int:
     """Return the radius in pixels within which pixels are nearby."""
-    texel = 2.0 / impostors.face_size
+    texel = 2.0 / impostors.settings.face_size
     # A layer's centre may be twice `reach` farther from a surface than the user is.
     nearest = impostors.r2 - impostors.reach
     larger = (nearest + 2.0 * impostors.reach) / nearest

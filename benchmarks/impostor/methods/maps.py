@@ -141,8 +141,8 @@ def _jumps(depth: NDArray[np.float64], tolerance: float) -> NDArray[np.bool_]:
     before, after = np.roll(steps, 1, axis=1), np.roll(steps, -1, axis=1)
     before[:, 0], after[:, -1] = after[:, 0], before[:, -1]
     touches_sky = (depth[:, 1:] == 0) != (depth[:, :-1] == 0)
-    jumps: NDArray[np.bool_] = np.minimum(np.abs(steps - before), np.abs(steps - after)) > tolerance
-    return jumps | touches_sky
+    jumps = np.minimum(np.abs(steps - before), np.abs(steps - after)) > tolerance
+    return np.asarray(jumps | touches_sky, np.bool_)
 
 
 @dataclass(frozen=True, eq=False)

@@ -48,7 +48,9 @@ class Method(Protocol):
         ...
 
     @property
-    def bytes(self) -> int: ...
+    def bytes(self) -> int:
+        """Size of the files."""
+        ...
 
     @property
     def setting(self) -> str:
