@@ -23,6 +23,8 @@ _CHECKED_USERS = 8
 """Number of users whose pixels `changed_share` counts."""
 _CHECKED_RAYS = 16384
 """Number of their rays, in directions spread evenly over the sphere."""
+_GOLDEN = math.pi * (3.0 - math.sqrt(5.0))
+"""Golden angle: its multiples are spread evenly in all directions."""
 
 
 @dataclass(frozen=True)
@@ -66,7 +68,7 @@ def bake(zones: Partition, region: Region, settings: ImpostorSettings) -> Baked:
     arguments: dict[str, Any] = {
         "center": region.center,
         "reach": region.reach,
-        "height": min(0.5, 0.5 * region.reach) if settings.height is None else min(settings.height, region.reach),
+        "height": settings.height_within(region.reach),
         "r2": region.r2,
         "size": settings.face_size,
         "angle": math.radians(settings.error_px / PIXELS_PER_DEGREE),
@@ -82,21 +84,23 @@ def bake(zones: Partition, region: Region, settings: ImpostorSettings) -> Baked:
     return Baked(near, quads if len(quads) else None, settings, float(baked["missing"][-1]))
 
 
-def changed_share(zones: Partition, region: Region, near: NDArray[np.int64]) -> float:
+def changed_share(zones: Partition, region: Region, baked: Baked) -> float:
     """Return the share of the pixels of users within a region that show a near triangle which was dropped.
 
-    The users stand at the corners of a cube inscribed in the region, and look in all directions.
+    The users stand all around O, at several distances and heights, and look in all directions.
     """
-    dropped = np.setdiff1d(zones.nsf, near, assume_unique=True)
+    dropped = np.setdiff1d(zones.nsf, baked.near, assume_unique=True)
     if not len(dropped):
         return 0.0
-    corners = np.array(np.meshgrid(*[(-1.0, 1.0)] * 3)).reshape(3, _CHECKED_USERS).T / math.sqrt(3.0)
     rays = np.arange(_CHECKED_RAYS) + 0.5
-    height, turn = 1.0 - 2.0 * rays / _CHECKED_RAYS, rays * math.pi * (3.0 - math.sqrt(5.0))
-    width = np.sqrt(1.0 - height**2)
-    directions = np.column_stack([width * np.cos(turn), height, width * np.sin(turn)])
-    shown = [
-        cast_rays(zones.scene, np.add(region.center, 0.9 * region.reach * corner), directions).triangle_index
-        for corner in corners
-    ]
+    rise, turn = 1.0 - 2.0 * rays / _CHECKED_RAYS, rays * _GOLDEN
+    width = np.sqrt(1.0 - rise**2)
+    directions = np.column_stack([width * np.cos(turn), rise, width * np.sin(turn)])
+    shares = (np.arange(_CHECKED_USERS) + 0.5) / _CHECKED_USERS
+    height = baked.settings.height_within(region.reach)
+    heights = height * (2.0 * ((5 * np.arange(_CHECKED_USERS)) % _CHECKED_USERS + 0.5) / _CHECKED_USERS - 1.0)
+    distances = np.sqrt(shares * (region.reach**2 - height**2))
+    angles = np.arange(_CHECKED_USERS) * _GOLDEN
+    offsets = np.column_stack([distances * np.cos(angles), heights, distances * np.sin(angles)])
+    shown = [cast_rays(zones.scene, np.add(region.center, offset), directions).triangle_index for offset in offsets]
     return float(np.isin(shown, dropped).mean())

@@ -99,7 +99,7 @@ def impostor_parts(scene: Scene, center: Point, r2: float, settings: ImpostorSet
     far = None if quads is None else quads.scene(center, scene.origin, scene.object_names)
     counts |= {
         "missing": baked.missing,
-        "changed": impostor_bake.changed_share(zones, region, baked.near),
+        "changed": impostor_bake.changed_share(zones, region, baked),
         "bakes": budget.bakes,
     }
     dropped = {"dropped_quads": budget.dropped[0], "dropped_texels": budget.dropped[1]}
