@@ -32,12 +32,12 @@ COMMANDS = commands(COMMAND)
 PLACE = ("--center", "0,1.7,0", "--r1", "3", "--r2", "8")
 SMALL = ("--samples", "1", "--face-size", "8", "--backend", "cpu", "--size", "16x12")
 VALID = {
-    "demo": ("-i", "ball.glb", "-o", "demo", *PLACE, *SMALL),
+    "demo": ("-i", "ball.glb", "-o", "demo", "--far", "map", *PLACE, *SMALL),
     "info": ("-i", "ball.glb"),
     "cut": ("-i", "ball.glb", "-o", "cut.glb", "--box", "-2,-2,2,2"),
     "partition": ("-i", "ball.glb", *PLACE),
     "bake": ("-i", "ball.glb", "-o", "map.exr", *PLACE, *SMALL[:-2]),
-    "reduce": ("-i", "ball.glb", "-o", "reduced", *PLACE, *SMALL),
+    "reduce": ("-i", "ball.glb", "-o", "reduced", *PLACE[:2], *PLACE[4:], *SMALL),
     "render": ("-i", "ball.glb", "-o", "view.png", "--eye", "0,1.7,0", "--target", "0,1,-9", *SMALL[:2], *SMALL[4:]),
     "compare": ("-i", "ball.glb", "-o", "compared", *PLACE, *SMALL, "--fov", "20"),
     "lod": ("-i", "ball.glb", "-o", "model.json", "--views", "4", "--distances", "1", "--ratios", "1", "--method",

@@ -89,7 +89,7 @@ RANGES: dict[str, str] = {
     "(0, inf]": "depth MorphSettings.tolerance_px ReducedScene.render.tolerance_px cast_rays.t_max",
     "[0, inf)": "acuity_slope datasets.Asteroids.*.detail datasets.World.*.detail detail error floor hysteresis near"
     " pixel_deg slope time stream.Growth.fade budget cache_bytes MorphSettings.radius"
-    " ReducedScene.*.radius *.AdaptivePlane.update.seconds standard_error",
+    " ReducedScene.*.radius *.AdaptivePlane.update.seconds standard_error ImpostorSettings.height",
     "(-inf, inf)": "cutoff d k t lod.Level.* orthoview.*.time Walk.render.seconds index",
     "[-inf, inf]": "Similarity.mean Scene.dropped *.shown.depth RadialLens.warp.fill",
     "[0, r2)": "r1",

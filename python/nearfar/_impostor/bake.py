@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from nearfar import _core
 from nearfar._base import progress
 from nearfar._impostor.quads import Point, Quads
-from nearfar._impostor.settings import ImpostorSettings
+from nearfar._impostor.settings import ImpostorSettings, height_of
 from nearfar._partition.partition import Partition
 from nearfar._trace.rays import cast_rays
 
@@ -68,7 +68,7 @@ def bake(zones: Partition, region: Region, settings: ImpostorSettings) -> Baked:
     arguments: dict[str, Any] = {
         "center": region.center,
         "reach": region.reach,
-        "height": settings.height_within(region.reach),
+        "height": height_of(settings, region.reach),
         "r2": region.r2,
         "size": settings.face_size,
         "angle": math.radians(settings.error_px / PIXELS_PER_DEGREE),
@@ -97,7 +97,7 @@ def changed_share(zones: Partition, region: Region, baked: Baked) -> float:
     width = np.sqrt(1.0 - rise**2)
     directions = np.column_stack([width * np.cos(turn), rise, width * np.sin(turn)])
     shares = (np.arange(_CHECKED_USERS) + 0.5) / _CHECKED_USERS
-    height = baked.settings.height_within(region.reach)
+    height = height_of(baked.settings, region.reach)
     heights = height * (2.0 * ((5 * np.arange(_CHECKED_USERS)) % _CHECKED_USERS + 0.5) / _CHECKED_USERS - 1.0)
     distances = np.sqrt(shares * (region.reach**2 - height**2))
     angles = np.arange(_CHECKED_USERS) * _GOLDEN

@@ -64,7 +64,7 @@ class Budget:
             return finest
         coarse = finest if finest.settings.error_px >= BUDGET_ERROR_PX else at(BUDGET_ERROR_PX)
         while is_within(coarse) and coarse is not finest and self.bakes < _MAX_BAKES:
-            if len(coarse.near) + coarse.far_count >= _FULL * budget:
+            if coarse.far_count >= _FULL * (budget - len(coarse.near)):
                 break
             middle = at(math.sqrt(finest.settings.error_px * coarse.settings.error_px))
             if is_within(middle):

@@ -79,9 +79,10 @@ class ImpostorSettings:
             visible=check.flag("visible", self.visible),
         )
 
-    def height_within(self, reach: float) -> float:
-        """Return the height for a region's radius in metres."""
-        return min(0.5, 0.5 * reach) if self.height is None else min(self.height, reach)
+
+def height_of(settings: ImpostorSettings, reach: float) -> float:
+    """Return the height of a region for its radius, both in metres."""
+    return min(0.5, 0.5 * reach) if settings.height is None else min(settings.height, reach)
 
 
 class ImpostorKeywords(TypedDict, total=False):

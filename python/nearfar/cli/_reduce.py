@@ -11,7 +11,7 @@ import typer
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar._base import files, formats
+from nearfar._base import check, files, formats
 from nearfar._reduce import default_radii, findings
 from nearfar.cli import _options as options, _page, _users, _viewpoint
 from nearfar.cli._groups import Options, choice, flag, option
@@ -57,6 +57,9 @@ class FarOptions(Options):
 
     def __post_init__(self) -> None:
         super().__post_init__()
+        for name in ("budget_triangles", "budget_bytes"):
+            if (value := getattr(self, name)) is not None:
+                check.integer(name, value, 1, 2**62)
         if self.far == "map":
             for name in self.given_options():
                 if name != "far":

@@ -198,4 +198,4 @@ def stages(radii: tuple[float, ...], ring: int) -> dict[str, Any]:
     previous ring's radius.
     """
     last = radii[-1]
-    return {"radii": (NEAR_SHARE * last, last), "stages": (radii[max(ring - 2, 0)], ring > 1)}
+    return {"radii": (NEAR_SHARE * last, last), "grown": (radii[max(ring - 2, 0)], ring > 1)}
