@@ -260,7 +260,7 @@ def main() -> None:
         flush=True,
     )
     header = "scene | windows | disparity, px {:.2f} | median of shown / true {:.3f} | within 10 %, % {:.1f}"
-    rows = [disparity(*case, 1 if quick else arguments.users, size) for case in cities]
+    rows = [disparity(*case, arguments.users, size) for case in cities]
     print(
         table(
             f"Disparity between eyes {IPD * 1e3:.0f} mm apart, {NEAREST:g} to {FARTHEST:g} m away, by matching",

@@ -66,7 +66,7 @@ def cases(size: tuple[int, int], count: int, quick: bool) -> Iterator[Case]:
     face: dict[str, Any] = {"face_size": 128} if quick else {}
     walkers = list(views(nf.reduce(city, center=center, r1=30.0, r2=R2, face_size=64), size, count))
     yield Case(CITY, city, center, walkers, settings=face)
-    yield Case(CITY, city, center, walkers, settings={"triangles": 300 if quick else 13000, **face})
+    yield Case(CITY, city, center, walkers, settings={"triangles": 800 if quick else 53000, **face})
     for reach in (4.0, 1.0):
         yield Case(CITY, city, center, ring(city, center, reach, size, count), settings={"reach": reach, **face})
     if quick:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Self
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -170,7 +170,7 @@ class Texels:
         inside &= self.quads.atlas[..., 3] >= 255.0 * CUTOFF
         return np.argwhere(inside)[:, ::-1]
 
-    def triangles(self, places: Floats) -> tuple[Ints, Floats]:
+    def triangles(self, places: NDArray[np.floating[Any]]) -> tuple[Ints, Floats]:
         """Return the triangle (N,) that shows each place (N, 2) in the atlas, and the weights (N, 3) of its corners."""
         origins = np.column_stack([places, np.ones(len(places))])
         hits = nf.cast_rays(self._atlas, origins, np.tile([0.0, 0.0, -1.0], (len(places), 1)))
@@ -206,7 +206,7 @@ class Texels:
         place is the centre if the bound holds there, and else the sample that sees a surface nearest to the plane. The
         plane is behind the nearest surface of all if it is so in the centre.
         """
-        places, centers = texels + 0.5, self.faces.center[quad]
+        places, centers = np.asarray(texels + 0.5, np.float64), self.faces.center[quad]
         middle = self.points(quad, places)
         rest = np.flatnonzero(~self.are_within(quad, middle))
         samples = texels[rest, None] + SAMPLES
