@@ -55,7 +55,7 @@ class Points:
         """
         seen = shown[:, None] - users
         far, first = (angle(point[:, None] - users, seen).max(axis=1) for point in (self.far, self.first))
-        return np.nan_to_num(np.fmin(far, first), nan=np.inf)
+        return np.asarray(np.nan_to_num(np.fmin(far, first), nan=np.inf), np.float64)
 
     def distances(self, centers: Floats) -> tuple[Floats, Floats]:
         """Return the distance (N,) of the plane from the surface beyond r₂, and from the nearest surface of all.
