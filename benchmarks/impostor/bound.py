@@ -42,7 +42,7 @@ class Errors:
     whole: Floats
     """The drawn point with the file's positions against the scene point."""
     is_grown: NDArray[np.bool_]
-    """Texels without a scene point: the mask grew there over what lies before the plane."""
+    """Texels no sample of which is within the bound: the mask grew there over what lies before the plane."""
 
 
 def errors(texels: Texels, path: Path, count: int, seed: int = 0, users: int = 16) -> Errors:
@@ -64,10 +64,10 @@ def errors(texels: Texels, path: Path, count: int, seed: int = 0, users: int = 1
 def _errors(
     texels: Texels, places: NDArray[np.int64], vertices: Floats, moved: Floats, draw: np.random.Generator, users: int
 ) -> tuple[Any, ...]:
-    triangles, weights = texels.triangles(places)
-    quad = texels.quads.owners[triangles].astype(np.int64)
-    local = np.asarray(places + 0.5 - texels.quads.rectangles[quad, :2], np.float64)
-    points = texels.points(quad, local)
+    quad = texels.quads.owners[texels.triangles(places + 0.5)[0]].astype(np.int64)
+    corner = texels.quads.rectangles[quad, :2]
+    local, points = texels.seen(quad, places - corner)
+    triangles, weights = texels.triangles(corner + local)
     eyes = texels.worst_users(points.plane, points.plane - texels.faces.center[quad], draw, users)
     corners = texels.quads.faces[triangles]
     drawn, filed = ((weights[..., None] * rows[corners]).sum(axis=1) for rows in (vertices, moved))

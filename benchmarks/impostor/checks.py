@@ -17,7 +17,7 @@ import nearfar as nf
 from benchmarks.harness import scenes
 from benchmarks.harness.report import start, table
 from benchmarks.harness.views import Point, center_for
-from benchmarks.impostor.texels import AROUND, Floats, Mask, Points, Texels, angle, texel_coordinates
+from benchmarks.impostor.texels import AROUND, Floats, Mask, Texels, texel_coordinates
 from benchmarks.reduce import dynamic
 from benchmarks.reduce.tear import REACH, views
 from nearfar.metrics._tear import EPSILON, _tears
@@ -76,8 +76,8 @@ def baked_points(texels: Texels, quad: NDArray[np.int64], places: Floats) -> Flo
         column, row = (texel + texels.quads.rectangles[quad[todo_in], :2]).T
         is_shown = texels.quads.atlas[row, column, 3] >= 128
         todo_in, texel = todo_in[is_shown], texel[is_shown]
-        points = texels.points(quad[todo_in], texel + 0.5)
-        is_baked = are_baked(texels, quad[todo_in], points)
+        _, points = texels.seen(quad[todo_in], texel)
+        is_baked = texels.are_within(quad[todo_in], points)
         chosen = todo_in[is_baked]
         rays, _ = texels.faces.directions(quad[chosen], places[chosen], texels.size)
         center = texels.faces.center[quad[chosen]]
@@ -95,15 +95,6 @@ def baked_points(texels: Texels, quad: NDArray[np.int64], places: Floats) -> Flo
     rays, w = texels.faces.directions(quad[todo], places[todo], texels.size)
     found[todo] = texels.faces.center[quad[todo]] + rays / w[:, None]
     return found
-
-
-def are_baked(texels: Texels, quad: NDArray[np.int64], points: Points) -> Mask:
-    """Return whether texels were baked: the quad's plane is off by at most the error for the users farthest off."""
-    draw = np.random.default_rng(0)
-    users = texels.worst_users(points.plane, points.plane - texels.faces.center[quad], draw, 0)
-    limit = np.radians(texels.impostors.settings.error_px / 20.0) * (1.0 + 1e-6)
-    seen = points.plane[:, None] - users
-    return np.asarray(angle(points.far[:, None] - users, seen).max(axis=1) <= limit)
 
 
 def tears(name: str, scene: nf.Scene, center: Point, count: int, size: int) -> list[list[Any]]:
@@ -183,11 +174,12 @@ def disparities(
     Windows count if matching finds the true disparity within 5 % in the truth's pictures: others have no texture.
     """
     pictures = [
-        [nf.render(source, camera, samples=4, channels=("color", "range", "object_id")) for camera in cameras]
+        [nf.render(source, camera, samples=4, channels=("color", "range")) for camera in cameras]
         for source in (scene, impostors)
     ]
     (truth, _), (frame, _) = pictures
-    is_quad = frame.require("object_id") >= len(scene.object_names)
+    near = nf.render(impostors.near, cameras[0], channels=("range",))
+    is_quad = frame.require("range") < near.require("range")
     grey = [[picture.to_image().astype(np.float64).mean(axis=2) for picture in pair] for pair in pictures]
     camera = cameras[0]
     ahead = camera.rays()[1][camera.height // 2, camera.width // 2]
@@ -268,7 +260,7 @@ def main() -> None:
         flush=True,
     )
     header = "scene | windows | disparity, px {:.2f} | median of shown / true {:.3f} | within 10 %, % {:.1f}"
-    rows = [disparity(*case, 1 if quick else arguments.users, size) for case in cities]
+    rows = [disparity(*case, arguments.users, size) for case in cities]
     print(
         table(
             f"Disparity between eyes {IPD * 1e3:.0f} mm apart, {NEAREST:g} to {FARTHEST:g} m away, by matching",

@@ -31,7 +31,8 @@ def row(blocks: int, detail: int, size: int) -> list[Any]:
     before, since = peak_memory(), time.process_time()
     baked = nf.reduce(scene, far="impostors", **options, face_size=size)
     seconds, memory = time.process_time() - since, peak_memory() - before
-    return [scene.triangle_count / 1e6, size, baked.stats["texels"] / 1e6, baked.triangle_count, seconds, memory / 1e6]
+    stats = baked.stats
+    return [scene.triangle_count / 1e6, size, stats["texels"] / 1e6, stats["triangles"], seconds, memory / 1e6]
 
 
 HEADER = (

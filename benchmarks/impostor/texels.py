@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Self
+from dataclasses import dataclass, replace
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
+from nearfar._impostor.bake import PIXELS_PER_DEGREE
 from nearfar._impostor.quads import CUTOFF, Quads
 
 Floats = NDArray[np.float64]
@@ -22,6 +23,9 @@ DOWN = np.array([[0, -1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1], [0, -1, 0], [0, 
 
 AROUND = np.array([(0, 0), (-1, 0), (1, 0), (0, -1), (0, 1), (-1, -1), (1, -1), (-1, 1), (1, 1)])
 """A texel and its neighbours, as offsets of columns and rows."""
+
+SAMPLES = (np.stack([np.arange(16), 7 * np.arange(16) % 16], axis=-1) + 0.5) / 16.0
+"""Positions (16, 2) in a texel that the bake samples: one in each row and each column of a grid."""
 
 
 def angle(a: Floats, b: Floats) -> Floats:
@@ -51,7 +55,19 @@ class Points:
         """
         seen = shown[:, None] - users
         far, first = (angle(point[:, None] - users, seen).max(axis=1) for point in (self.far, self.first))
-        return np.asarray(np.fmin(far, first), np.float64)
+        return np.asarray(np.nan_to_num(np.fmin(far, first), nan=np.inf), np.float64)
+
+    def distances(self, centers: Floats) -> tuple[Floats, Floats]:
+        """Return the distance (N,) of the plane from the surface beyond r₂, and from the nearest surface of all.
+
+        It is a share of the surface's distance from the layer's centre; infinite if no surface is seen.
+        """
+        apart, away = (
+            [np.linalg.norm(point - other, axis=1) for point in (self.far, self.first)]
+            for other in (self.plane, centers)
+        )
+        far, first = (np.nan_to_num(one / other, nan=np.inf) for one, other in zip(apart, away, strict=True))
+        return far, first
 
 
 @dataclass(frozen=True)
@@ -154,10 +170,10 @@ class Texels:
         inside &= self.quads.atlas[..., 3] >= 255.0 * CUTOFF
         return np.argwhere(inside)[:, ::-1]
 
-    def triangles(self, texels: Ints) -> tuple[Ints, Floats]:
-        """Return the triangle (N,) that shows each texel's centre, and the weights (N, 3) of its corners."""
-        places = np.column_stack([texels + 0.5, np.ones(len(texels))])
-        hits = nf.cast_rays(self._atlas, places, np.tile([0.0, 0.0, -1.0], (len(texels), 1)))
+    def triangles(self, places: NDArray[np.floating[Any]]) -> tuple[Ints, Floats]:
+        """Return the triangle (N,) that shows each place (N, 2) in the atlas, and the weights (N, 3) of its corners."""
+        origins = np.column_stack([places, np.ones(len(places))])
+        hits = nf.cast_rays(self._atlas, origins, np.tile([0.0, 0.0, -1.0], (len(places), 1)))
         assert hits.hit.all()
         second, third = hits.barycentric.astype(np.float64).T
         return hits.triangle_index, np.stack([1.0 - second - third, second, third], axis=-1)
@@ -182,6 +198,31 @@ class Texels:
         far_point, first_point = (center + t[:, None] * units for t in (distance, near))
         is_behind = length / w > first.t_hit
         return Points(far_point, first_point, normal, center + rays / w[:, None], is_behind)
+
+    def seen(self, quad: Ints, texels: Ints) -> tuple[Floats, Points]:
+        """Find the scene point of each texel, a column and row (N, 2) of its quad; return its place and what is there.
+
+        A texel at a silhouette is drawn if enough of its samples lie on the plane, whatever is in its centre. So the
+        place is the centre if the bound holds there, and else the sample that sees a surface nearest to the plane. The
+        plane is behind the nearest surface of all if it is so in the centre.
+        """
+        places, centers = np.asarray(texels + 0.5, np.float64), self.faces.center[quad]
+        middle = self.points(quad, places)
+        rest = np.flatnonzero(~self.are_within(quad, middle))
+        samples = texels[rest, None] + SAMPLES
+        numbers = np.repeat(rest, len(SAMPLES))
+        sampled, _ = self.points(quad[numbers], samples.reshape(-1, 2)).distances(centers[numbers])
+        nearest = sampled.reshape(samples.shape[:2])
+        is_nearer = nearest.min(axis=1) < np.minimum(*middle.distances(centers))[rest]
+        places[rest[is_nearer]] = samples[is_nearer, nearest.argmin(axis=1)[is_nearer]]
+        return places, replace(self.points(quad, places), is_behind=middle.is_behind)
+
+    def are_within(self, quad: Ints, points: Points) -> Mask:
+        """Return whether the users farthest off see the quads' planes off surfaces beyond r₂ by at most the error."""
+        users = self.worst_users(points.plane, points.plane - self.faces.center[quad], np.random.default_rng(0), 0)
+        limit = np.radians(self.impostors.settings.error_px / PIXELS_PER_DEGREE) * (1.0 + 1e-6)
+        seen = points.plane[:, None] - users
+        return np.asarray(angle(points.far[:, None] - users, seen).max(axis=1) <= limit)
 
     def worst_users(self, points: Floats, directions: Floats, draw: np.random.Generator, count: int) -> Floats:
         """Return users (N, K, 3): the most distant ones from lines of sight, and `count` random ones.

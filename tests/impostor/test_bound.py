@@ -13,9 +13,10 @@ from hypothesis import given, settings, strategies as st
 
 import nearfar as nf
 from benchmarks.impostor.bound import errors
-from benchmarks.impostor.checks import are_baked, baked_points
+from benchmarks.impostor.checks import baked_points
 from benchmarks.impostor.texels import AROUND, AXES, DOWN, RIGHT, Mask, Texels
-from tests.support.impostor_cases import SETTINGS, view
+from nearfar._base import glb
+from tests.support.impostor_cases import SETTINGS, bake, view
 from tests.support.impostor_ranges import KINDS, Shape, compare, scene_of
 from tests.support.reduce_cases import box
 
@@ -48,7 +49,8 @@ def test_no_user_sees_a_texel_farther_off_than_the_error(
     is_baked = ~found.is_grown
     assert 0.9 * impostors.settings.error_px < found.plane[is_baked].max() <= impostors.settings.error_px * (1.0 + 1e-6)
     assert found.columns.max() <= 0.5 + 1e-3
-    assert found.file.max() < 0.01
+    rounding = glb.header(path.read_bytes())[0]["scenes"][0]["extras"]["nearfar"]["rounding_px"]
+    assert 0.5 * rounding < found.file.max() <= rounding <= impostors.settings.error_px / 8.0
     # A pixel between two texels is off by both errors.
     assert (found.whole <= found.plane + found.texture + found.file + 1e-6)[is_baked].all()
     assert grown_beside(texels, is_baked)
@@ -58,13 +60,13 @@ def test_no_user_sees_a_texel_farther_off_than_the_error(
 def grown_beside(texels: Texels, is_baked: Mask) -> bool:
     """Whether each texel into which a mask grew is beside one of the same quad whose surface the plane shows."""
     grown = texels.shown_texels()[~is_baked]
-    quad = texels.quads.owners[texels.triangles(grown)[0]].astype(np.int64)
+    quad = texels.quads.owners[texels.triangles(grown + 0.5)[0]].astype(np.int64)
     left, top, right, bottom = texels.quads.rectangles[quad].T
     size, is_beside = np.stack([right - left, bottom - top], axis=-1), np.zeros(len(grown), np.bool_)
     for offset in AROUND:
         places = grown - np.stack([left, top], axis=-1) + offset
         rows = np.flatnonzero(((places >= 0) & (places < size)).all(axis=1) & ~is_beside)
-        is_beside[rows] = are_baked(texels, quad[rows], texels.points(quad[rows], places[rows] + 0.5))
+        is_beside[rows] = texels.are_within(quad[rows], texels.seen(quad[rows], places[rows])[1])
     return bool(is_beside.all()) and len(grown) > 0
 
 
@@ -72,7 +74,7 @@ def share_uncovered(texels: Texels, is_baked: Mask) -> float:
     """Share of the texels in which O sees something far that no quad of the first layer shows."""
     (center, count), size = texels.impostors.layers[0], texels.size
     places = texels.shown_texels()
-    quad = texels.quads.owners[texels.triangles(places)[0]].astype(np.int64)
+    quad = texels.quads.owners[texels.triangles(places + 0.5)[0]].astype(np.int64)
     chosen = is_baked & (quad < count)
     quad, places = quad[chosen], places[chosen]
     column, row = (texels.faces.corner[quad] + places - texels.quads.rectangles[quad, :2]).astype(int).T
@@ -92,7 +94,7 @@ def share_uncovered(texels: Texels, is_baked: Mask) -> float:
 def test_both_measures_find_three_times_the_error(tmp_path: Path) -> None:
     scene, path = slats(), tmp_path / "far.glb"
     for factor in (1.0, 3.0):
-        baked = nf.reduce(scene, far="impostors", **BEFORE_SLATS, error_px=factor * ERROR_PX)
+        baked = bake(scene, **BEFORE_SLATS, error_px=factor * ERROR_PX)
         baked.save_glb(path, part="far", textures="png")
         claimed = replace(baked, settings=replace(baked.settings, error_px=ERROR_PX))
         texels = Texels(scene, claimed)
@@ -111,7 +113,7 @@ def test_pixels_show_scene_points_where_they_are(texels: Texels, impostors: nf.I
     draw = np.random.default_rng(5)
     places = texels.shown_texels()
     places = places[draw.permutation(len(places))[:2000]]
-    quad = texels.quads.owners[texels.triangles(places)[0]].astype(np.int64)
+    quad = texels.quads.owners[texels.triangles(places + 0.5)[0]].astype(np.int64)
     local = places - texels.quads.rectangles[quad, :2] + draw.uniform(0.0, 1.0, (len(places), 2))
     points = baked_points(texels, quad, local)
     low, high = np.subtract(texels.far.bounds, impostors.center)
@@ -139,15 +141,14 @@ def check_ranges(
     apart = [replace(shape, distance=max(shape.distance, share * 1.2 + 0.8 * shape.size)) for shape in shapes]
     scene = scene_of(apart, r2, has_ground=has_ground)
     center = (0.0, 0.5 * r2 * (share + 0.1), 0.0)
-    baked = nf.reduce(
-        scene, far="impostors", center=center, reach=reach, r2=r2, face_size=128, centers=7, error_px=error_px
-    )
+    baked = bake(scene, center=center, reach=reach, r2=r2, face_size=128, centers=7, error_px=error_px)
     sides = [(np.cos(turn), 0.0, np.sin(turn)), (-0.6 * np.cos(turn), 0.8, 0.0), (0.0, -0.5, np.sin(turn))]
     found = [
         compare(scene, baked, np.add(center, reach * np.array(side)), turn + 2.0 * k, 32)
         for k, side in enumerate(sides)
     ]
-    counted = max(sum(int(one.counted.sum()) for one in found), 1)
+    # One pixel of fewer is no share: the truth's samples may miss the end of a narrow surface.
+    counted = max(sum(int(one.counted.sum()) for one in found), 1000)
     missing, wrong = (sum(int(getattr(one, name).sum()) for one in found) / counted for name in ("missing", "wrong"))
     return missing, wrong, float(baked.stats["missing"])
 

@@ -5,10 +5,13 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 from scipy.ndimage import maximum_filter, minimum_filter
 
 import nearfar as nf
+from nearfar._base import check
+from nearfar._impostor.settings import ImpostorSettings
+from nearfar._reduce.impostors import reduce_to_impostors
 from tests.support.reduce_cases import box
 
 CENTER = (3.0, 1.7, -2.0)
@@ -44,6 +47,12 @@ def yard(at: tuple[float, float, float] = (0.0, 0.0, 0.0), *, copies: int = 20) 
     place[:3, 3] = np.add(at, (CENTER[0], 0.0, CENTER[2] - 25.0))
     build.instance(build.mesh(corners, sides, material=build.material((0.9, 0.05, 0.05, 1.0))), place, name="car")
     return build.build(dynamic=["car"])
+
+
+def bake(scene: nf.Scene, *, center: ArrayLike, r2: float, **settings: Any) -> nf.Impostors:
+    """Bake impostors as `nf.reduce` does, also of scenes with so few triangles that it would keep them as they are."""
+    place = check.vector("center", center)
+    return reduce_to_impostors(scene, place, r2, ImpostorSettings(**settings), may_keep=False)
 
 
 def view(user: NDArray[np.float64], turn: float = 0.0, size: tuple[int, int] = SIZE) -> nf.Camera:

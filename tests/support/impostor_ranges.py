@@ -108,7 +108,9 @@ def compare(scene: nf.Scene, impostors: nf.Impostors, user: Floats, turn: float,
             ok |= is_same & (np.minimum(low_here, low_there) <= found) & (found <= np.maximum(high_here, high_there))
     rho = np.linalg.norm((truth.require("position") + truth.origin - impostors.center)[..., [0, 2]], axis=-1)
     middle = np.s_[OVER // 2 :: OVER, OVER // 2 :: OVER]
-    is_geometry = (shown.require("object_id") >= 0) & (shown.require("object_id") < len(scene.object_names))
+    # Quads have the object numbers of their surfaces; near geometry alone has the same range where it is shown.
+    near = nf.render(impostors.near, cameras[1], channels=("range",)).require("range").astype(np.float64)
+    is_geometry = np.isfinite(near) & (near <= found)
     counted = ~is_geometry & ~(rho[middle] <= impostors.r2)
     bad = counted & ~ok
     # The sky's range is infinite, and nothing is behind it.

@@ -370,9 +370,18 @@ class Impostors(Renderable):
 
 
 def reduce_to_impostors(
-    scene: Scene, center: Point, r2: float, settings: ImpostorSettings, reasons: Mapping[str, str] | None = None
+    scene: Scene,
+    center: Point,
+    r2: float,
+    settings: ImpostorSettings,
+    reasons: Mapping[str, str] | None = None,
+    *,
+    may_keep: bool = True,
 ) -> Impostors:
-    """Bake impostors of a scene about a centre; `reasons` say how centre and r2 were chosen, in words by name."""
-    parts = stages.impostor_parts(scene, center, r2, settings)
+    """Bake impostors of a scene about a centre; `reasons` say how centre and r2 were chosen, in words by name.
+
+    `may_keep` as in `stages.impostor_parts`.
+    """
+    parts = stages.impostor_parts(scene, center, r2, settings, may_keep=may_keep)
     reason = default_radii.join({**(reasons or {}), **parts.pop("notes")})
     return Impostors(**parts, reason=reason, _source=scene)

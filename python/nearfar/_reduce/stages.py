@@ -71,10 +71,13 @@ def parts(
     return {"scene": zones.scene, "zones": zones, "env": env, "counts": counts}
 
 
-def impostor_parts(scene: Scene, center: Point, r2: float, settings: ImpostorSettings) -> dict[str, Any]:
+def impostor_parts(
+    scene: Scene, center: Point, r2: float, settings: ImpostorSettings, *, may_keep: bool = True
+) -> dict[str, Any]:
     """Partition a scene and bake impostors of its far part; return arguments of `Impostors`, and `notes` by name.
 
-    `center` and `r2` are checked. ValueError for a reach that is not less than r2.
+    `center` and `r2` are checked. A scene stays as it is if impostors would have as many triangles; without `may_keep`
+    it gets them all the same. ValueError for a reach that is not less than r2.
     """
     reach = min(default_radii.REACH, 0.5 * r2) if settings.reach is None else settings.reach
     if not r2 > reach:
@@ -88,7 +91,7 @@ def impostor_parts(scene: Scene, center: Point, r2: float, settings: ImpostorSet
     budget = Budget(zones, region, settings)
     baked = budget.bake()
     quads, used = baked.quads, baked.settings
-    if quads is not None and len(baked.near) + baked.far_count >= scene.triangle_count:
+    if may_keep and quads is not None and len(baked.near) + baked.far_count >= scene.triangle_count:
         note = f"impostors would have {baked.far_count:,} triangles, so the {scene.triangle_count:,} of the scene stay"
         return facts | _whole(scene, counts | {"bakes": budget.bakes}, note)
     notes = {}
