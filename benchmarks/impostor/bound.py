@@ -66,7 +66,7 @@ def _errors(
 ) -> tuple[Any, ...]:
     quad = texels.quads.owners[texels.triangles(places + 0.5)[0]].astype(np.int64)
     corner = texels.quads.rectangles[quad, :2]
-    local, points = texels.seen(quad, places - corner)
+    local, points = texels.scene_points(quad, places - corner)
     triangles, weights = texels.triangles(corner + local)
     eyes = texels.worst_users(points.plane, points.plane - texels.faces.center[quad], draw, users)
     corners = texels.quads.faces[triangles]

@@ -76,7 +76,7 @@ def baked_points(texels: Texels, quad: NDArray[np.int64], places: Floats) -> Flo
         column, row = (texel + texels.quads.rectangles[quad[todo_in], :2]).T
         is_shown = texels.quads.atlas[row, column, 3] >= 128
         todo_in, texel = todo_in[is_shown], texel[is_shown]
-        _, points = texels.seen(quad[todo_in], texel)
+        _, points = texels.scene_points(quad[todo_in], texel)
         is_baked = texels.are_within(quad[todo_in], points)
         chosen = todo_in[is_baked]
         rays, _ = texels.faces.directions(quad[chosen], places[chosen], texels.size)

@@ -199,8 +199,8 @@ class Texels:
         is_behind = length / w > first.t_hit
         return Points(far_point, first_point, normal, center + rays / w[:, None], is_behind)
 
-    def seen(self, quad: Ints, texels: Ints) -> tuple[Floats, Points]:
-        """Find the scene point of each texel, a column and row (N, 2) of its quad; return its place and what is there.
+    def scene_points(self, quad: Ints, texels: Ints) -> tuple[Floats, Points]:
+        """Return the place of the scene point of each texel (N, 2), in texels of the quad, and the points there.
 
         A texel at a silhouette is drawn if enough of its samples lie on the plane, whatever is in its centre. So the
         place is the centre if the bound holds there, and else the sample that sees a surface nearest to the plane. The

@@ -66,7 +66,7 @@ def grown_beside(texels: Texels, is_baked: Mask) -> bool:
     for offset in AROUND:
         places = grown - np.stack([left, top], axis=-1) + offset
         rows = np.flatnonzero(((places >= 0) & (places < size)).all(axis=1) & ~is_beside)
-        is_beside[rows] = texels.are_within(quad[rows], texels.seen(quad[rows], places[rows])[1])
+        is_beside[rows] = texels.are_within(quad[rows], texels.scene_points(quad[rows], places[rows])[1])
     return bool(is_beside.all()) and len(grown) > 0
 
 
