@@ -57,16 +57,16 @@ class Budget:
         def is_within(baked: Baked) -> bool:
             return len(baked.near) + baked.far_count <= budget
 
-        def at(error_px: float) -> Baked:
+        def bake_with(error_px: float) -> Baked:
             return self._bake(replace(self._settings, error_px=error_px))
 
         if is_within(finest):
             return finest
-        coarse = finest if finest.settings.error_px >= BUDGET_ERROR_PX else at(BUDGET_ERROR_PX)
+        coarse = finest if finest.settings.error_px >= BUDGET_ERROR_PX else bake_with(BUDGET_ERROR_PX)
         while is_within(coarse) and coarse is not finest and self.bakes < _MAX_BAKES:
             if coarse.far_count >= _FULL * (budget - len(coarse.near)):
                 break
-            middle = at(math.sqrt(finest.settings.error_px * coarse.settings.error_px))
+            middle = bake_with(math.sqrt(finest.settings.error_px * coarse.settings.error_px))
             if is_within(middle):
                 coarse = middle
             else:

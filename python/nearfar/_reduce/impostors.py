@@ -58,7 +58,7 @@ class Impostors(Renderable):
     near: Scene
     """All triangles that stay geometry; may be empty."""
     far: Scene | None
-    """The quads as a scene of one object; None if there are none."""
+    """The quads as a scene, with the objects whose surfaces they show; None if there are none."""
     stats: Mapping[str, Any]
     """Counts and measures.
 
@@ -306,7 +306,7 @@ class Impostors(Renderable):
 
     @property
     def object_names(self) -> tuple[str, ...]:
-        """Names of all objects, by number: the scene's, with the same numbers, and that of the quads."""
+        """Names of all objects, by number: the scene's, with the same numbers."""
         return self.scene.object_names
 
     @property

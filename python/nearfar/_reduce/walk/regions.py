@@ -25,7 +25,7 @@ from nearfar._reduce.walk.walker import Walk
 from nearfar._scene.scene import Scene, core_of
 
 Reduced = ReducedScene | Impostors
-"""What a region shows."""
+"""Reduction of a region."""
 
 MAX_CACHED = 1 << 16
 """Maximum number of cached reduced scenes."""

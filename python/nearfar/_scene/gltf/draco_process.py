@@ -37,7 +37,7 @@ def main() -> None:
             with limits:
                 header, arrays = _header_and_arrays(DracoPy.decode(data))
         except MemoryError:
-            # Without its own limit, the process has run out of what the system allows, which is no fault of the file.
+            # If the process has no limit of its own, the system is short of memory, and the file is not at fault.
             header, arrays = {"error": "it takes too much memory", "short": not limits.limits_memory}, []
         except Exception as error:  # DracoPy raises errors of several types
             header, arrays = {"error": str(error)}, []
