@@ -123,14 +123,14 @@ def test_a_large_moving_object_is_split_at_its_pose() -> None:
 def test_maps_equal_the_tracer_face_by_face(city: nf.Scene) -> None:
     for r2 in (1.0, 50.0):
         cpu, gpu = (
-            nf.reduce(city, center=CENTER, r1=0.5, r2=r2, face_size=128, channels=CHANNELS, samples=1, backend=backend)
+            nf.reduce(city, center=CENTER, r1=0.5, r2=r2, face_size=256, channels=CHANNELS, samples=1, backend=backend)
             for backend in ("cpu", "gpu")
         )
         assert cpu.env is not None
         assert gpu.env is not None
         for face in range(6):
             check_ids(cpu.env.object_id[face], gpu.env.object_id[face])  # type: ignore[index]
-            camera = nf.Camera(CENTER, fov=nf.CubeFace(face), size=(128, 128))
+            camera = nf.Camera(CENTER, fov=nf.CubeFace(face), size=(256, 256))
             colors = [np.asarray(env.color[face], np.float32) for env in (cpu.env, gpu.env)]
             check_color(nf.Frame(camera, color=colors[0]), nf.Frame(camera, color=colors[1]))
             inside = ~edges(cpu.env.object_id[face])  # type: ignore[index]

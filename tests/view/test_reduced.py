@@ -128,7 +128,7 @@ def test_a_saved_scene_has_the_files_of_the_scene(scene: nf.Scene, tmp_path: Pat
     nf.view.write_page(tmp_path / "light")
     for name, described in json.loads((tmp_path / "light" / "manifest.json").read_text())["files"].items():
         assert (tmp_path / "light" / name).stat().st_size == described["bytes"]
-    with pytest.raises(nf.FormatError, match=r"ReducedScene\.load reads it"):
+    with pytest.raises(nf.FormatError, match=r"read it with nearfar\.ReducedScene\.load"):
         nf.stream.open(tmp_path / "light")
     # The folder remains that of the reduced scene.
     assert nf.ReducedScene.load(tmp_path / "light").r2 == reduced.r2
