@@ -195,7 +195,7 @@ def test_a_full_disk_leaves_the_older_file(
 
 
 def test_radii_that_leave_no_region_or_no_far_part_say_so(scene: nf.Scene) -> None:
-    with pytest.raises(ValueError, match="r2: expected more than reach = 12 m, got 12"):
+    with pytest.raises(ValueError, match="reach: expected less than r2 = 12 m, got 12"):
         nf.reduce(scene, far="impostors", **{**SETTINGS, "reach": 12.0})
     beyond = nf.reduce(scene, far="impostors", **{**SETTINGS, "r2": 1e6})
     assert beyond.far is None

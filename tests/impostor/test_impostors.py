@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pickle
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -63,6 +64,43 @@ def test_a_budget_increases_the_error_and_then_drops_the_least_visible_quads(sce
     assert drawn < {tuple(corner) for corner in np.asarray(all_quads.vertices).tolist()}
 
 
+def test_poses_reach_the_published_picture_the_next_centre_and_the_folder(scene: nf.Scene, tmp_path: Path) -> None:
+    pose = scene.poses["car"].copy()
+    pose[:3, 3] += (1.0, 0.0, 2.0)
+    settings: dict[str, Any] = {**SMALL, "face_size": 64, "centers": 1}
+    moved = nf.reduce(scene, far="impostors", **settings).at({"car": pose})
+    again = moved.recentered(np.add(CENTER, (0.5, 0.0, 0.0))).result()
+    moved.save(tmp_path / "light")
+    loaded = nf.Impostors.load(tmp_path / "light" / "reduced.json")
+    copy = pickle.loads(pickle.dumps(loaded))
+    for shown in (moved.published, again, loaded, loaded.published, copy):
+        np.testing.assert_allclose(shown.poses["car"], pose)
+    assert {f"impostors_{sector}" for sector in range(6)} <= set(loaded.object_names)
+    for fail in (lambda: loaded.recentered(CENTER), lambda: loaded.save(tmp_path / "again"), lambda: copy.published):
+        with pytest.raises(ValueError, match="expected"):
+            fail()
+
+
+def test_folders_without_a_far_part_and_tiny_models_are_written(scene: nf.Scene, tmp_path: Path) -> None:
+    nf.reduce(scene, far="impostors", **{**SMALL, "r2": 300.0}).save(tmp_path / "near")
+    loaded = nf.Impostors.load(tmp_path / "near")
+    assert (loaded.far, loaded.published.env) == (None, None)
+    tiny = nf.Scene.from_arrays(np.array([[0.0, 0.0, 0.0], [1e-5, 0.0, 0.0], [0.0, 1e-5, 0.0]]), [[0, 1, 2]])
+    lost = nf.reduce(tiny, far="impostors", center=(0, 0, 1e-4), r2=1e-3).save(tmp_path / "tiny")
+    assert "smaller than its rounding" in lost[0]
+    assert not (tmp_path / "tiny" / "light.glb").exists()
+
+
+def test_a_budget_of_bytes_limits_the_file(scene: nf.Scene, tmp_path: Path) -> None:
+    budget = 40_000
+    kept = nf.reduce(scene, far="impostors", **SMALL, bytes=budget, triangles=1500)
+    kept.save_glb(tmp_path / "light.glb")
+    assert 0.5 * budget < (tmp_path / "light.glb").stat().st_size <= budget
+    assert kept.triangle_count <= 1500
+    with pytest.raises(ValueError, match=r"bytes: expected at least the .* of the near part within r2 = 12 m, got 500"):
+        nf.reduce(scene, far="impostors", **SMALL, bytes=500)
+
+
 def test_texels_are_counted_in_each_quads_rectangle(impostors: nf.Impostors) -> None:
     quads = impostors._quads
     assert quads is not None
@@ -82,7 +120,7 @@ def test_a_scene_without_anything_beyond_r2_has_no_quads(scene: nf.Scene, tmp_pa
     camera = view(np.array(CENTER))
     truth, frame = (nf.render(shown, camera, channels=("color",)) for shown in (scene, near))
     np.testing.assert_array_equal(truth.require("color"), frame.require("color"))
-    with pytest.raises(ValueError, match="save: expected impostors with quads"):
+    with pytest.raises(ValueError, match="part: expected impostors with quads"):
         near.save_glb(tmp_path / "far.glb", part="far")
     empty = nf.reduce(scene.subset(triangles=[]), far="impostors", **SETTINGS)
     assert (empty.far, empty.triangle_count) == (None, 0)
@@ -117,7 +155,7 @@ def test_a_triangle_becomes_a_quad_if_it_is_divided_into_more() -> None:
         ({"center": (1e31, 0, 0)}, ValueError, r"center: expected coordinates within ±1e\+30 m"),
         ({"center": "here"}, TypeError, "center: expected"),
         ({"reach": 0}, ValueError, "reach: expected a number above 0"),
-        ({"reach": 12.0}, ValueError, "r2: expected more than reach = 12 m, got 12"),
+        ({"reach": 12.0}, ValueError, "reach: expected less than r2 = 12 m, got 12"),
         ({"r2": np.nan}, ValueError, "r2: expected a finite number"),
         ({"error_px": 0}, ValueError, "error_px: expected a number above 0"),
         ({"error_px": 101}, ValueError, "error_px: expected a number from 0 to 100"),

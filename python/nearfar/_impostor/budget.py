@@ -30,7 +30,7 @@ class Budget:
         self.bakes = 0
         """Number of bakes so far."""
         self.dropped = (0, 0)
-        """Numbers of quads that were dropped, and of the texels that they showed."""
+        """Numbers of quads that were dropped from the last bake, and of the texels that they showed."""
 
     def bake(self) -> Baked:
         """Bake within the budgets; ValueError for a budget that the near part alone exceeds."""
@@ -43,6 +43,7 @@ class Budget:
 
     def _bake(self, settings: ImpostorSettings) -> Baked:
         self.bakes += 1
+        self.dropped = (0, 0)
         baked = bake.bake(self._zones, self._region, settings)
         if settings.triangles is not None and len(baked.near) > settings.triangles:
             raise ValueError(
@@ -117,4 +118,5 @@ class Budget:
 
     def _file_size(self, baked: Baked) -> int:
         near = self._zones.scene.subset(triangles=baked.near)
-        return len(file.encode(baked.quads, self._region, near=near).data)
+        region = replace(self._region, error_px=baked.settings.error_px)
+        return len(file.encode(baked.quads, region, near=near).data)

@@ -80,7 +80,7 @@ def encode(
     Quads are at most six meshes, one for each sector about O, with an opaque and a `MASK` primitive each. They share
     one texture, which is clamped, filtered and without mipmaps. Static near geometry has a primitive for each texture;
     its materials are unlit, and its vertex colours have nearfar's light. Dynamic objects are nodes with their names.
-    ValueError for a texture too large for WebP, or if there is nothing to encode.
+    The data are empty if there is nothing to show. ValueError for a texture too large for WebP.
     """
     # Imported here: only files need an imaging library.
     from nearfar._impostor.near import embed_images, encode_near
@@ -101,7 +101,7 @@ def encode(
         packed = packing.pack(quads, region.reach, region.error_px)
         _FarWriter(writer, document, is_packed=is_packed).add(packed, encode_image(quads.atlas))
     elif encoded is None:
-        raise ValueError("encode: expected quads or near geometry, got neither")
+        return EncodedFile(b"", 0.0, 0.0, 0.0, 0, ("the whole geometry: it is empty or smaller than its rounding",))
     extras = {"center": list(region.center), "reach": region.reach, "r2": region.r2, "error_px": region.error_px}
     if packed is not None:
         extras["rounding_px"] = packed.error_px
@@ -136,7 +136,7 @@ class _FarWriter:
             "TEXCOORD_0": _Array(packed.uv_steps, packed.uv_exponents),
         }
         views = {name: self._view(array) for name, array in arrays.items()}
-        children = []
+        children: list[int] = []
         for sector in packed.sectors:
             attributes = {}
             for name, array in arrays.items():
@@ -150,7 +150,7 @@ class _FarWriter:
                 for (is_masked, _), accessor in zip(sector.parts, indices, strict=True)
             ]
             mesh = self._append("meshes", {"primitives": primitives})
-            children.append(self._append("nodes", {"mesh": mesh}))
+            children.append(self._append("nodes", {"name": f"{_NAME}_{len(children)}", "mesh": mesh}))
         self._append("nodes", {"name": _NAME, "children": children})
 
     def _view(self, array: _Array) -> int:

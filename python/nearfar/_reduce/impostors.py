@@ -96,12 +96,12 @@ class Impostors(Renderable):
         """The published near-far reduction with the same centre and r2: near geometry, a map of the far part, a morph.
 
         Its map, with faces of `settings.face_size` texels, is baked at the first use. A client can show it outside the
-        region, or before it has the quads. ValueError after `load` from a folder without a map.
+        region, or before it has the quads; in a folder its near part lacks the triangles that no user there sees.
         """
         if isinstance(self._source, ReducedScene):
             return self._source
         if self._source is None:
-            raise ValueError("published: expected impostors with a map, got those of a folder without one")
+            raise ValueError("published: expected baked impostors or those of a folder, got pickled ones of a folder")
         baking = MapSettings(face_size=self.settings.face_size)
         r1 = default_radii.complete_radii(None, self.r2)[0]
         parts = stages.parts(self._source, center=self.center, r1=r1, r2=self.r2, boundary="r2", baking=baking)
@@ -142,9 +142,10 @@ class Impostors(Renderable):
         `Impostors`. ValueError and TypeError for an invalid centre, or for impostors that `load` read.
         """
         middle = check.vector("center", center)
+        stages.check_place(middle)
         source = self._source
         if not isinstance(source, Scene):
-            raise ValueError("center: expected the saved centre for impostors of a folder, which has no far geometry")
+            raise ValueError("center: expected impostors that were baked, got those of a folder without far geometry")
         settings = replace(self.settings, reach=self.reach)
         return Recentering(middle, lambda: reduce_to_impostors(source, middle, self.r2, settings))
 
@@ -192,6 +193,8 @@ class Impostors(Renderable):
                 f"published: expected the centre {self.center} and r2 = {self.r2:g}, got {published.center} and "
                 f"{published.r2:g}"
             )
+        if published._boundary != "r2" or published.partition.unit != "triangle":
+            raise ValueError("published: expected boundary 'r2' and unit 'triangle', got other ones")
         contents = folder.Contents(
             self.near,
             published.env,
@@ -207,7 +210,7 @@ class Impostors(Renderable):
         lost: tuple[str, ...] = ()
         if self.triangle_count:
             light = self._encoded("all", textures, geometry)
-            extra, lost = {folder.LIGHT: light.data}, light.lost
+            extra, lost = {folder.LIGHT: light.data} if light.data else {}, light.lost
         if self._quads is not None:
             extra[folder.QUADS] = self._encoded("far", textures, geometry).data
         folder.save(path, contents, half=True, extra=extra)
@@ -244,16 +247,16 @@ class Impostors(Renderable):
         check.choice("textures", textures, file.TEXTURES)
         check.choice("geometry", geometry, file.GEOMETRIES)
         encoded = self._encoded(part, textures, geometry)
+        if not encoded.data:
+            raise ValueError("part: expected geometry that is larger than its rounding, got none")
         with files.atomic_file(target) as aside:
             files.write(aside, encoded.data)
         return encoded.lost
 
     def _encoded(self, part: Part, textures: Textures, geometry: Geometry) -> EncodedFile:
-        if not self.triangle_count:
-            raise ValueError("save_glb: expected triangles, got none")
         if self._quads is None and (part == "far" or self.far is not None):
             reason = "got none" if self.far is None else "got those of a folder, whose files can be copied"
-            raise ValueError(f"save: expected impostors with quads, {reason}")
+            raise ValueError(f"part: expected impostors with quads, {reason}")
         near = self.near if part == "all" else None
         return file.encode(self._quads, self._region, near=near, textures=textures, geometry=geometry)
 
@@ -281,6 +284,7 @@ class Impostors(Renderable):
         saved = folder.load(path)
         stated = saved.impostors
         target = Path(path)
+        target = target.parent if target.name == folder.DOCUMENT else target
         if stated is None:
             raise FormatError(f"{target}: expected impostors, got a reduced scene with a map alone")
         with formats.guarded(target / folder.DOCUMENT):
@@ -291,8 +295,13 @@ class Impostors(Renderable):
             facts = (check.positive("reach", stated["reach"]), saved.r2, settings)
             reason, stats = check.text("reason", stated["reason"]), dict(stated["stats"])
         far = folder.load_quads(target, saved.center) if layers else None
-        published = None if saved.env is None else ReducedScene.load(path)
+        published = ReducedScene.load(target)
         return cls(saved.center, *facts, saved.near, far, stats, layers, reason, None, published)
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Pickle without the published reduction, which is baked again when needed, or missing if it was read."""
+        source = self._source if isinstance(self._source, Scene) else None
+        return {name: value for name, value in self.__dict__.items() if name != "published"} | {"_source": source}
 
     @property
     def origin(self) -> NDArray[np.float64]:
@@ -316,8 +325,11 @@ class Impostors(Renderable):
 
     def at(self, poses: Mapping[str, ArrayLike]) -> Self:
         """Return the same impostors with dynamic objects in other poses; `poses` and errors as in `Scene.at`."""
-        posed = replace(self, near=self.near.at(poses))
+        source = None if self._source is None else self._source.at(poses)
+        posed = replace(self, near=self.near.at(poses), _source=source)
         posed.__dict__["scene"] = self.scene.at(poses)
+        if "published" in self.__dict__:
+            posed.__dict__["published"] = self.published.at(poses)
         return posed
 
     def displayed(self, points: ArrayLike, user: ArrayLike) -> NDArray[np.float64]:

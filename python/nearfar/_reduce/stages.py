@@ -9,6 +9,7 @@ from typing import Any, Unpack
 import numpy as np
 from numpy.typing import ArrayLike
 
+from nearfar._base import check
 from nearfar._cubemap.envmap import EnvMap
 from nearfar._impostor import bake as impostor_bake, file
 from nearfar._impostor.bake import Region
@@ -71,17 +72,24 @@ def parts(
     return {"scene": zones.scene, "zones": zones, "env": env, "counts": counts}
 
 
+def check_place(center: Point) -> None:
+    """Raise ValueError for a centre too far away for distances to it."""
+    if max(map(abs, center)) > check.FARTHEST:
+        raise ValueError(f"center: expected coordinates within ±{check.FARTHEST:g} m, got {center}")
+
+
 def impostor_parts(
     scene: Scene, center: Point, r2: float, settings: ImpostorSettings, *, may_keep: bool = True
 ) -> dict[str, Any]:
     """Partition a scene and bake impostors of its far part; return arguments of `Impostors`, and `notes` by name.
 
-    `center` and `r2` are checked. A scene stays as it is if impostors would have as many triangles; without `may_keep`
-    it gets them all the same. ValueError for a reach that is not less than r2.
+    `r2` is checked. A scene stays as it is if impostors would have as many triangles, unless bytes are limited; without
+    `may_keep` it gets them all the same. ValueError for a centre out of range, and a reach that is not less than r2.
     """
     reach = min(default_radii.REACH, 0.5 * r2) if settings.reach is None else settings.reach
+    check_place(center)
     if not r2 > reach:
-        raise ValueError(f"r2: expected more than reach = {reach:g} m, got {r2:g}")
+        raise ValueError(f"reach: expected less than r2 = {r2:g} m, got {reach:g}")
     region = Region(center, reach, r2, settings.error_px)
     facts: dict[str, Any] = {"center": center, "reach": reach, "r2": r2, "settings": settings}
     counts = {"scene_triangles": scene.triangle_count, "missing": 0.0, "changed": 0.0, "bakes": 0}
@@ -91,7 +99,8 @@ def impostor_parts(
     budget = Budget(zones, region, settings)
     baked = budget.bake()
     quads, used = baked.quads, baked.settings
-    if may_keep and quads is not None and len(baked.near) + baked.far_count >= scene.triangle_count:
+    is_small = may_keep and settings.bytes is None
+    if is_small and quads is not None and len(baked.near) + baked.far_count >= scene.triangle_count:
         note = f"impostors would have {baked.far_count:,} triangles, so the {scene.triangle_count:,} of the scene stay"
         return facts | _whole(scene, counts | {"bakes": budget.bakes}, note)
     notes = {}
@@ -133,7 +142,8 @@ def _explain_fit(scene: Scene, region: Region, settings: ImpostorSettings) -> st
     triangles, size = settings.triangles, settings.bytes
     if (triangles is None and size is None) or scene.triangle_count > (triangles or scene.triangle_count):
         return ""
-    if size is not None and len(file.encode(None, region, near=scene).data) > size:
+    # A triangle takes at least a byte.
+    if size is not None and (scene.triangle_count > size or len(file.encode(None, region, near=scene).data) > size):
         return ""
     kept = " and ".join(f"{limit:,} {name}" for limit, name in ((triangles, "triangles"), (size, "bytes")) if limit)
     return f"the scene fits into {kept} as it is, so nothing was baked"

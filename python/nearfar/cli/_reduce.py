@@ -112,7 +112,9 @@ def reduce(
                 radii = default_radii.choose(loaded, viewpoint, None, impostors.r2)
         with clock.step("user"):
             r1, r2 = radii.r1, radii.r2
-            stand = _viewpoint.stands(loaded, viewpoint, r1, r2)[0]
+            distance = default_radii.user_distance(r1, r2)
+            within = distance if impostors is None else min(distance, impostors.reach)
+            stand = _viewpoint.stands(loaded, viewpoint, r1, r2, distance=within)[0]
         view = camera(stand.user, stand.target, 90.0, picture.pixels)
         with clock.step("load curve"):
             curve = nf.load_curve(loaded, center=viewpoint.eye)
@@ -205,7 +207,7 @@ def _sizes(folder: Path, reduced: nf.ReducedScene, impostors: nf.Impostors | Non
     both = {"triangles": int(reduced.stats["drawn"]), "bytes": size["near.glb"] + size.get("far.exr", 0)}
     sizes = {"conventional": both, "continuous": both}
     if impostors is not None:
-        sizes["impostors"] = {"triangles": impostors.triangle_count, "bytes": size["light.glb"]}
+        sizes["impostors"] = {"triangles": impostors.triangle_count, "bytes": size.get("light.glb", 0)}
     return sizes
 
 
@@ -265,7 +267,7 @@ def _rows(document: dict[str, Any], output: Path) -> list[tuple[str, str]]:
         ("centre", metres(document["center"])),
         *radii_rows(document),
         ("far part", _far_text(document)),
-        *((line[0], f"{line[1]} dB, worst {line[2]}; SSIM {line[3]}") for line in _users.rows(document)[1:]),
+        *((line[0], f"PSNR {line[1]}, worst {line[2]}; SSIM {line[3]}") for line in _users.rows(document)[1:]),
         ("took", f"{sum(document['seconds'].values()):.1f} s"),
         *note_rows(document),
         ("written to", str(output)),

@@ -9,7 +9,7 @@ from typing import Any, Literal
 
 import nearfar as nf
 from nearfar._base import check, files, formats
-from nearfar._reduce import findings
+from nearfar._reduce import default_radii, findings
 from nearfar.cli import _options as options, _viewpoint
 from nearfar.cli._groups import Options, choice, option
 from nearfar.cli._methods import METHODS, morph_of
@@ -111,10 +111,13 @@ def render(
         shot = camera(viewpoint.eye, aim or viewpoint.target, view.degrees, pixels)
         channels = ("color", "range", "object_id") if is_exr else channels
     else:
-        radii = saved if isinstance(saved, nf.ReducedScene) else zones.choose_radii(loaded, viewpoint)
-        r1, r2 = radii.r1, radii.r2 if saved is None else saved.r2
+        published = saved.published if isinstance(saved, nf.Impostors) else saved
+        radii = published or zones.choose_radii(loaded, viewpoint)
+        r1, r2 = radii.r1, radii.r2
+        reach = saved.reach if isinstance(saved, nf.Impostors) else min(default_radii.REACH, 0.5 * r2)
+        within = min(default_radii.user_distance(r1, r2), reach) if method == "impostors" else None
         stand = _viewpoint.view_of(scene) if saved is not None and user is None and aim is None else None
-        angles: dict[str, Any] = {"fov": view.degrees, "user": user, "target": aim}
+        angles: dict[str, Any] = {"fov": view.degrees, "user": user, "target": aim, "distance": within}
         stand = stand or _viewpoint.stands(loaded, viewpoint, r1, r2, **angles)[0]
         shot = camera(stand.user, stand.target, view.degrees, pixels)
         with clock.step("reduce"):

@@ -75,13 +75,15 @@ def rows(document: dict[str, Any]) -> list[list[str]]:
     header = ["method", "PSNR, dB", "worst", "SSIM", "worst", "missing pixels", "triangles", "bytes"]
     lines = [header]
     for name, values in users["methods"].items():
-        psnr = [math.inf if value is None else value for value in values["psnr"]]
+        psnr = [value for value in values["psnr"] if value is not None]
+        equal_count = len(values["psnr"]) - len(psnr)
+        note = f" ({equal_count} equal)" if equal_count and psnr else ""
         size = document["sizes"][name]
         lines.append(
             [
                 name,
-                f"{np.mean(psnr):.1f}",
-                f"{min(psnr):.1f}",
+                f"{np.mean(psnr):.1f}{note}" if psnr else "all equal",
+                f"{min(psnr):.1f}" if psnr else "all equal",
                 f"{np.mean(values['ssim']):.3f}",
                 f"{min(values['ssim']):.3f}",
                 f"{100.0 * np.mean(values['missing']):.3f} %" if name == "impostors" else "0 %",

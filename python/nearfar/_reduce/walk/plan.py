@@ -132,7 +132,13 @@ def regions(
     if path is not None and np.ptp(eyes[:, 1]) > 0.0:
         heights = height_differences(eyes, centers, reach)
     if isinstance(baking, ImpostorSettings):
-        baking = replace(baking, reach=math.hypot(reach, float(heights.max())))
+        radius = math.hypot(reach, float(heights.max()))
+        if radius >= common_radii.r2:
+            raise ValueError(
+                f"path: expected eyes within r2 = {common_radii.r2:.4g} m of the centres, got a path that climbs "
+                f"{heights.max():.3g} m within a region"
+            )
+        baking = replace(baking, reach=radius)
     elif heights.any():
         _check_heights(centers, heights, common_radii, morph)
     return Regions(scene, centers, radii=common_radii, hysteresis=min_walk, morph=morph, baking=baking, keep=keep)

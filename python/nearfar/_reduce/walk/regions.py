@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar._base import check
 from nearfar._base.recent import Recent
 from nearfar._camera.camera import Camera
+from nearfar._impostor.budget import BUDGET_ERROR_PX
 from nearfar._impostor.settings import ImpostorSettings
 from nearfar._reduce.baking import MapSettings
 from nearfar._reduce.choose_radii import Radii
@@ -163,7 +164,7 @@ class Regions:
 
         Returns f·|ΔO⊥|/ρ in pixels: f the focal length in pixels, ΔO⊥ the component of the step between the centres
         perpendicular to the line of sight. With R = 8 m, b = 0 and f = 480 px at most 133 px at 50 m. For impostors
-        returns twice their greatest error, because both regions are within it of the truth.
+        returns twice their greatest error, 8 px with a budget, because both regions are within it of the truth.
 
         Parameters
         ----------
@@ -178,7 +179,10 @@ class Regions:
         start, end = (self._centers[self._check_number(name, value)] for name, value in (("i", i), ("j", j)))
         check.instance("camera", camera, Camera)
         if isinstance(self._baking, ImpostorSettings):
-            return error_in_pixels(2.0 * self._baking.error_px, camera)
+            baking = self._baking
+            has_budget = baking.triangles is not None or baking.bytes is not None
+            greatest = max(baking.error_px, BUDGET_ERROR_PX if has_budget else 0.0)
+            return error_in_pixels(2.0 * greatest, camera)
         range_m = self._radii.r2 if distance is None else check.positive("distance", distance)
         return predict_jump(end - start, camera, range_m)
 
