@@ -107,7 +107,7 @@ def reduce(
         if far.far == "impostors":
             with clock.step("impostors"):
                 settings = nf.ImpostorSettings(**far.keywords, face_size=max(zones.face_size, 64))
-                impostors = nf.reduce(loaded, center=viewpoint.eye, r2=zones.r2, far="impostors", settings=settings)
+                impostors = _bake(loaded, viewpoint.eye, zones.r2, settings)
             if impostors.r2 != radii.r2:
                 radii = default_radii.choose(loaded, viewpoint, None, impostors.r2)
         with clock.step("user"):
@@ -178,7 +178,11 @@ def reduce(
             "samples": picture.samples,
             "size": list(picture.pixels),
             "load_curve": curve_points(curve),
-            "findings": (findings.of_reduction(reduced.stats, r2) if impostors is None else _notes(impostors))
+            "findings": (
+                findings.of_reduction(reduced.stats, r2)
+                if impostors is None
+                else _notes(impostors, _missing(users_document))
+            )
             + findings.of_view(crosses=stand.shows_boundary, fold_margin=margin, r2=r2),
             "files": sorted([*(path.name for path in folder.iterdir()), "report.json", "report.md"]),
         }
@@ -193,12 +197,33 @@ DEMO = {"scene": "city", "output": Path("demo")}
 """Defaults of `nearfar demo`, whose other options are those of `nearfar reduce`."""
 
 
-def _notes(impostors: nf.Impostors) -> list[str]:
-    """Return sentences about a scene that stays as it is, and about quads that were dropped for a budget."""
+def _bake(scene: nf.Scene, center: options.Point, r2: float | None, settings: nf.ImpostorSettings) -> nf.Impostors:
+    """Bake impostors; errors of budgets name the option."""
+    try:
+        return nf.reduce(scene, center=center, r2=r2, far="impostors", settings=settings)
+    except ValueError as error:
+        if str(error).startswith(("triangles:", "bytes:")):
+            raise ValueError(f"budget_{error}") from None
+        raise
+
+
+def _notes(impostors: nf.Impostors, missing: float) -> list[str]:
+    """Return sentences about impostors without a near or far part, and about quads that were dropped for a budget.
+
+    `missing` is the share of the users' pixels that show nothing where the truth shows a surface.
+    """
     notes = [impostors.reason] if impostors.far is None else []
+    if not impostors.near.triangle_count:
+        notes.append(f"nothing is near: no triangle lies within r2 = {impostors.r2:g} m; another centre may show more")
     if count_dropped := impostors.stats["dropped_quads"]:
-        notes.append(f"{count_dropped:,} quads were dropped for the budget, which leaves holes")
+        holes = f"which leaves holes of {100.0 * missing:.2g} % of the users' pixels; a lower r2 leaves more for quads"
+        notes.append(f"{count_dropped:,} quads were dropped for the budget, {holes}")
     return notes
+
+
+def _missing(users: dict[str, Any]) -> float:
+    """Return the mean share of missing pixels of impostors for all users."""
+    return float(np.mean(users["methods"]["impostors"]["missing"] or [0.0]))
 
 
 def _sizes(folder: Path, reduced: nf.ReducedScene, impostors: nf.Impostors | None) -> dict[str, dict[str, int]]:
@@ -267,6 +292,7 @@ def _rows(document: dict[str, Any], output: Path) -> list[tuple[str, str]]:
         ("centre", metres(document["center"])),
         *radii_rows(document),
         ("far part", _far_text(document)),
+        *([("light.glb", "its positions are relative to the centre")] if document["impostors"] else []),
         *((line[0], f"PSNR {line[1]}, worst {line[2]}; SSIM {line[3]}") for line in _users.rows(document)[1:]),
         ("took", f"{sum(document['seconds'].values()):.1f} s"),
         *note_rows(document),
