@@ -62,7 +62,7 @@ def draw(program: Any, address: str, script: str = "") -> tuple[dict[str, Any], 
         page.add_init_script(f"{FRAMES}; {script}")
         open_flight(page, address)
         found = grabbed(page)
-        wait_until(page, lambda: facts(page)["unhidden"] is not None)
+        wait_until(page, lambda: facts(page)["drawnSplats"] is not None)
         told = facts(page)
         assert page.printed == []
     assert (told["standIns"], told["holes"]) == (0, 0)
@@ -80,7 +80,7 @@ def test_pictures_are_those_of_render(
     assert told["views"] == frame.stats["views"]
     assert likeness(found, frame) > least
     assert holes(found, frame) < 0.001
-    assert 0 < told["unhidden"] <= told["splats"]
+    assert 0 < told["drawnSplats"] <= told["splats"]
 
 
 def test_geometry_is_drawn_before_and_behind_splats(with_webgpu: Any, city: nf.orthoview.OrthoTree) -> None:
@@ -94,7 +94,7 @@ def test_geometry_is_drawn_before_and_behind_splats(with_webgpu: Any, city: nf.o
     assert likeness(found, frame) > 0.99
     assert holes(found, frame) < 0.001
     assert banded["calls"] > told["calls"]
-    assert told["unhidden"] <= banded["unhidden"]
+    assert told["drawnSplats"] <= banded["drawnSplats"]
     # Corners of triangles are snapped differently within a pixel.
     assert (np.abs(found.astype(int) - again).max(axis=-1) > 2).mean() < 3e-3
 
@@ -111,7 +111,7 @@ def test_pictures_equal_webgl(with_webgpu: Any, city: nf.orthoview.OrthoTree) ->
                 assert problems(page) == []
                 assert any("WebGPU fails, so WebGL draws" in line for line in page.printed) == (not query)
             assert told["graphics"] == ("webgpu" if query else "webgl")
-            assert (told["unhidden"] is None) == (not query)
+            assert (told["drawnSplats"] is None) == (not query)
     off = np.abs(pictures[0] - pictures[1]).max(axis=-1)
     # Where edges of splats pass through a sample.
     assert (off > 2).mean() < 0.01
@@ -146,7 +146,7 @@ def test_hidden_parts_are_culled(with_webgpu: Any, tmp_path: Path) -> None:
     frame = tree.render(page_camera(pose), geometry=False, error_px=2, channels=("color", "coverage"))
     assert likeness(found, frame) > 0.99
     assert told["splats"] == frame.stats["splats_in_picture"]
-    assert told["unhidden"] < 0.85 * told["splats"]
+    assert told["drawnSplats"] < 0.85 * told["splats"]
 
 
 def test_parts_of_thousands_of_splats_are_drawn_from_several_pages(with_webgpu: Any, tmp_path: Path) -> None:
