@@ -37,7 +37,7 @@ def main() -> None:
             with limits:
                 header, arrays = _header_and_arrays(DracoPy.decode(data))
         except MemoryError:
-            # If the process has no limit of its own, the system is short of memory, and the file is not at fault.
+            # Only a limit that was set for this file blames the file; otherwise the machine is short of memory.
             header, arrays = {"error": "it takes too much memory", "short": not limits.limits_memory}, []
         except Exception as error:  # DracoPy raises errors of several types
             header, arrays = {"error": str(error)}, []
