@@ -9,7 +9,6 @@ import json
 import os
 import subprocess
 from pathlib import Path
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -22,6 +21,7 @@ from scipy.spatial import KDTree
 import nearfar as nf
 from nearfar._base import glb
 from nearfar._impostor import packing
+from nearfar._impostor.bake import Region
 from nearfar._impostor.file import EncodedFile, Geometry, Textures, encode
 from nearfar._impostor.quads import Quads
 from tests.support import need
@@ -245,7 +245,7 @@ def test_near_geometry_has_the_light_of_nearfar(tmp_path: Path) -> None:
         place[:3, 3] = 5.0 * np.sin(number), 0.0, -5.0 * np.cos(number)
         build.instance(mesh, place, name=f"part_{number}")
     scene = build.build(dynamic=["part_2"])
-    region = SimpleNamespace(center=(0.0, 0.0, 0.0), reach=1.0, r2=10.0, error_px=2.0)
+    region = Region((0.0, 0.0, 0.0), reach=1.0, r2=10.0, error_px=2.0)
     loaded = load(encode(None, region, near=scene, textures="png").data, tmp_path)
     assert loaded.triangle_count == scene.triangle_count
     for turn in np.arange(6.0):

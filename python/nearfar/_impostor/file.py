@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from dataclasses import dataclass
 from functools import partial
-from typing import Any, Literal, Protocol, get_args
+from typing import Any, Literal, get_args
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,7 +14,8 @@ from nearfar import _core
 from nearfar._base import glb
 from nearfar._base.version import __version__
 from nearfar._impostor import packing
-from nearfar._impostor.quads import MATERIAL, Point, Quads
+from nearfar._impostor.bake import Region
+from nearfar._impostor.quads import MATERIAL, Quads
 from nearfar._scene.emission import UNLIT
 from nearfar._scene.scene import Scene
 
@@ -35,19 +36,6 @@ _NAME = "impostors"
 _WEBP = "EXT_texture_webp"
 _MAX_SHORT = 65535
 """Greatest number of vertices of 16-bit corners: some interfaces reserve the last index."""
-
-
-class Region(Protocol):
-    """Region of users that the quads are made for."""
-
-    @property
-    def center(self) -> Point: ...
-    @property
-    def reach(self) -> float: ...
-    @property
-    def r2(self) -> float: ...
-    @property
-    def error_px(self) -> float: ...
 
 
 @dataclass(frozen=True)
