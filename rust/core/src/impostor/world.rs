@@ -9,7 +9,7 @@ use crate::base::Result;
 use crate::base::memory::try_with_capacity;
 use crate::partition::{Partition, Zone};
 use crate::scene::Scene;
-use crate::trace::{All, AlphaFilter, FaceHits, Hit, HitFilter, Ray, closest_hits};
+use crate::trace::{AcceptAll, AlphaFilter, FaceHits, Hit, HitFilter, Ray, closest_hits};
 
 /// Filter for triangles that are far as a whole; all others are drawn as geometry.
 pub struct FarOnly<'a>(pub &'a Partition);
@@ -68,7 +68,7 @@ impl World<'_> {
         if far_only {
             closest_hits(self.scene, rays, &AlphaFilter::new(self.scene, FarOnly(self.partition)), hits);
         } else {
-            closest_hits(self.scene, rays, &AlphaFilter::new(self.scene, All), hits);
+            closest_hits(self.scene, rays, &AlphaFilter::new(self.scene, AcceptAll), hits);
         }
     }
 
