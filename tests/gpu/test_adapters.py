@@ -173,14 +173,8 @@ def test_commands_take_a_back_end(backend: str, tmp_path: object, capsys: pytest
     need("vulkan")
     arguments = [
         "render",
-        "-i",
-        "city:blocks=2,detail=0",
-        "-o",
+        *["-i", "city:blocks=2,detail=0", "--size", "32x24", "--samples", "1", "-o"],
         f"{tmp_path}/a.png",
-        "--size",
-        "32x24",
-        "--samples",
-        "1",
     ]
     assert run([*arguments, "--backend", backend]) == 0, capsys.readouterr().err
     assert run([*arguments, "--backend", "cuda"]) == 1

@@ -160,16 +160,8 @@ def test_a_bake_ends_at_once_when_it_is_interrupted(scene: nf.Scene, action: typ
         calls.append((done, total))
         raise action("enough")
 
-    options = {
-        "center": CENTER,
-        "reach": 2.0,
-        "r2": 12.0,
-        "height": 0.5,
-        "size": 256,
-        "angle": 0.002,
-        "centers": 16,
-        "missing": 0.0,
-    }
+    place = {"center": CENTER, "reach": 2.0, "r2": 12.0, "height": 0.5}
+    options = {**place, "size": 256, "angle": 0.002, "centers": 16, "missing": 0.0}
     with pytest.raises(action, match="enough"):
         _core.bake_impostors(scene._core, options, report=report)
     assert len(calls) == 1
