@@ -189,11 +189,11 @@ def check_every_texel(d: Array, size: int, radius: float) -> None:
 def test_cones_of_almost_a_right_angle(below: float) -> None:
     radius = float(np.nextafter(np.pi / 2, 0)) - below
     rng = np.random.default_rng(0)
-    in_planes = [rng.uniform(-2, 2, 3) * keep for keep in ((1, 1, 0), (1, 0, 1), (0, 1, 1)) for _ in range(4)]
+    in_planes = [rng.uniform(-2, 2, 3) * keep for keep in ((1, 1, 0), (1, 0, 1), (0, 1, 1)) for _ in range(2)]
     signs = [np.array(d, float) for d in itertools.product((-1, 0, 1), repeat=3) if any(d)]
     known = [(0, 1, 0.1), (-1.28164037, -0.837277, 0), (1.3, -1.27, 0), (1, 1e-8, 0), (1e-17, 1, 0), (1, 1, 1e-16)]
     for d in (*in_planes, *signs, *map(np.array, known), *rng.normal(size=(4, 3))):
-        for size in (1, 3, 4, 7):
+        for size in (1, 3, 6):
             check_every_texel(d, size, radius)
         check_cone(d, 16, radius)
 

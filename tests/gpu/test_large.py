@@ -47,7 +47,7 @@ def test_a_mesh_larger_than_a_binding_is_drawn_page_by_page(backend: str) -> Non
 
 
 def test_many_instances_and_distinct_meshes() -> None:
-    scene = nf.datasets.forest(seed=3)
+    scene = nf.datasets.forest(trees=2000, seed=3, detail=1)
     low, high = scene.bounds
     eye = (0.0, float(high[1]) + 5.0, float(high[2]))
     camera = nf.Camera.look_at(eye, (0.0, 0.0, float(low[2]) / 2), fov=nf.Fov.symmetric(70), size=(160, 120))

@@ -235,15 +235,15 @@ def test_occluded_views_are_culled(device: _core.GpuDevice) -> None:
 def test_large_splats_around_the_eye_are_drawn(device: _core.GpuDevice) -> None:
     """Blocks extend behind the eye, and splats across the picture: they are drawn tile by tile."""
     splats = splats_of(THREE, size=64)
-    camera = replace(CAMERAS["inside"], size=(250, 200))
+    camera = replace(CAMERAS["inside"], size=(150, 120))
     check(draw_splats(splats, camera, ALL, device=device), draw_splats(splats, camera, ALL), least=0.995)
     got, right = (draw_splats(splats, camera, ("color",), 4, device=own)["color"] for own in (device, None))
     assert (np.abs(got - right) < 0.1).mean() > 0.999
 
 
 def test_pictures_are_drawn_while_other_threads_upload_views(device: _core.GpuDevice) -> None:
-    camera, splats = replace(CAMERAS["perspective"], size=(320, 240)), splats_of(THREE, size=32)
-    before = wall(replace(camera, size=(960, 720)), 47.0)
+    camera, splats = replace(CAMERAS["perspective"], size=(160, 120)), splats_of(THREE, size=32)
+    before = wall(replace(camera, size=(480, 360)), 47.0)
     right = draw_splats(splats, camera, ("color",), 3, before=before)["color"]
     over = threading.Event()
 

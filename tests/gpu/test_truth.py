@@ -27,7 +27,8 @@ def city() -> nf.Scene:
 
 @pytest.mark.parametrize("eye", [(0.0, 1.7, 0.0), (50.0, 80.0, 60.0)])
 def test_the_procedural_city_agrees_with_the_tracer(city: nf.Scene, eye: tuple[float, float, float]) -> None:
-    agree(*both(city, view(eye, (20, 5, -40))))
+    # From above, edges pass many pixels.
+    agree(*both(city, view(eye, (20, 5, -40))), same=0.999 if eye[1] < 2 else 0.998)
 
 
 load = functools.cache(lambda name: nf.Scene.load(data(name)))
@@ -47,8 +48,8 @@ load = functools.cache(lambda name: nf.Scene.load(data(name)))
 def test_scenes_from_files_agree_with_the_tracer(
     name: str, eye: tuple[float, float, float], target: tuple[float, float, float]
 ) -> None:
-    # From outside the garage is mostly edges and coincident surfaces.
-    agree(*both(load(name), view(eye, target)), same=0.998 if eye[2] == 7.8 else 0.999)
+    # From outside the garage is mostly edges and coincident surfaces, and the city from above mostly edges.
+    agree(*both(load(name), view(eye, target)), same=0.998 if eye[2] == 7.8 or eye[1] == 300 else 0.999)
 
 
 def test_ranges_are_as_accurate_as_the_tracers(city: nf.Scene) -> None:
@@ -146,7 +147,7 @@ def test_normals_of_vertices_are_the_same() -> None:
         matrix[:3, 3] += (2.5 * (number % 4) - 3.75, 2.5 * (number // 4) - 2.5, -2.0)
         builder.instance(meshes[number // 4], matrix, name=f"{number}")
     scene = builder.build(dynamic=["2"])
-    camera = view((0.5, 1.0, 7.0), (0, 0, -2), size=(240, 160))
+    camera = view((0.5, 1.0, 7.0), (0, 0, -2), size=(160, 100))
     for shown in (scene, scene.at({"2": np.diag([-0.7, 1.5, 0.9, 1.0])})):
         cpu, gpu = both(shown, camera)
         same = agree(cpu, gpu)
@@ -195,7 +196,7 @@ def test_an_empty_scene_is_all_sky() -> None:
 @pytest.mark.parametrize("samples", [2, 4, 16])
 def test_antialiasing_converges_to_the_same_picture(city: nf.Scene, samples: int) -> None:
     """The tracer's sample positions are the same except for the hardware's four, whose edges differ slightly."""
-    cpu, gpu = both(city, view((0, 1.7, 0), (20, 5, -40), (240, 160)), samples=samples)
+    cpu, gpu = both(city, view((0, 1.7, 0), (20, 5, -40), (160, 100)), samples=samples)
     difference = np.abs(cpu.to_image().astype(int) - gpu.to_image()).max(-1)
     plain = nf.render(city, cpu.camera, backend="cpu").to_image().astype(int)
     aliased = np.abs(cpu.to_image().astype(int) - plain).max(-1)

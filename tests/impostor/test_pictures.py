@@ -51,11 +51,11 @@ def test_ground_has_no_gap_at_r2_and_triangles_across_it_are_drawn_whole(
 ) -> None:
     zones = nf.partition(scene, center=CENTER, r1=0.0, r2=R2)
     assert zones.summary()["straddling"] > 0
-    whole = nf.reduce(scene, far="impostors", **SETTINGS, visible=False)
+    whole = nf.reduce(scene, far="impostors", **{**SETTINGS, "face_size": 64}, visible=False)
     np.testing.assert_array_equal(whole.near.triangles(), scene.triangles()[zones.nsf])
     holes = 0
-    for user in [(0.0, 0.0, 0.0), *USERS]:
-        for turn in TURNS:
+    for number, user in enumerate([(0.0, 0.0, 0.0), *USERS]):
+        for turn in TURNS[number % 2 :: 2]:
             camera = view(np.add(CENTER, user), turn)
             truth, frame = (
                 nf.render(shown, camera, channels=("range", "position", "object_id")) for shown in (scene, impostors)
@@ -64,8 +64,8 @@ def test_ground_has_no_gap_at_r2_and_triangles_across_it_are_drawn_whole(
             is_ring = (np.abs(np.hypot(x, z) - R2 - 3.0) < 9.0) & (truth.require("object_id") == 0)
             assert is_ring.sum() > 500, "a view of the boundary"
             holes += int((~np.isfinite(frame.require("range")))[is_ring].sum())
-    # Two pixels beside boxes that hide the ground from all centres; a gap would take hundreds.
-    assert holes <= 4
+    # A pixel or two beside boxes that hide the ground from all centres; a gap would take hundreds.
+    assert holes <= 2
 
 
 def test_pictures_have_the_object_numbers_and_normals_of_surfaces(scene: nf.Scene, impostors: nf.Impostors) -> None:

@@ -36,7 +36,7 @@ def frames() -> dict[str, nf.Frame]:
     """Return truth, conventional and continuous picture from 7 m beside the centre."""
     scene = street()
     reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=256, samples=1, channels=("color", "range"))
-    view = camera(CENTER + np.array([0, 0.2, 7.0]), (1, -0.03, 0.1), (96, 60))
+    view = camera(CENTER + np.array([0, 0.2, 7.0]), (1, -0.03, 0.1), (64, 40))
     channels = ("color", "position")
     return {
         "truth": nf.render(scene, view, channels=channels),
@@ -61,7 +61,7 @@ def test_discontinuity_equals_its_definition(
 
 
 def test_the_truth_has_no_discontinuity(frames: dict[str, nf.Frame]) -> None:
-    # Positions on triangles of 4,000 m are rounded to 2.4e-4 m, which 5 m away is 2e-3 px of the 96 across 90 degrees.
+    # Positions on triangles of 4,000 m are rounded to 2.4e-4 m, which 5 m away is 2e-3 px of the 64 across 90 degrees.
     assert np.nanmax(np.abs(nf.metrics.discontinuity(frames["truth"]))) < 2e-3
 
 
@@ -82,11 +82,11 @@ def test_only_the_conventional_method_tears_walls_at_the_boundary() -> None:
 def test_a_truth_of_another_size_is_refused(frames: dict[str, nf.Frame]) -> None:
     # With half the pixels across, every distance in the truth would be halved, and an intact picture would be torn.
     frame = frames["truth"]
-    half = nf.Camera(frame.camera.position, frame.camera.orientation, fov=frame.camera.fov, size=(48, 30))
-    for wrong in (half, nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(90, 1), size=(96, 61))):
-        with pytest.raises(ValueError, match="truth_camera: expected 96 × 60 pixels, as the frame"):
+    half = nf.Camera(frame.camera.position, frame.camera.orientation, fov=frame.camera.fov, size=(32, 20))
+    for wrong in (half, nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(90, 1), size=(64, 41))):
+        with pytest.raises(ValueError, match="truth_camera: expected 64 × 40 pixels, as the frame"):
             nf.metrics.discontinuity(frame, wrong)
-    same = nf.Camera(frame.camera.position, frame.camera.orientation, fov=frame.camera.fov, size=(96, 60))
+    same = nf.Camera(frame.camera.position, frame.camera.orientation, fov=frame.camera.fov, size=(64, 40))
     np.testing.assert_array_equal(nf.metrics.discontinuity(frame, same), nf.metrics.discontinuity(frame))
 
 

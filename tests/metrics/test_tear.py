@@ -14,8 +14,8 @@ from nearfar.metrics._tear import _tears
 
 Array = NDArray[np.float64]
 
-SIZE = (64, 48)
-MIDDLE = np.array([32.0, 24.0])
+SIZE = (48, 36)
+MIDDLE = np.array([24.0, 18.0])
 VIEW = nf.Camera((3, 2, 1), fov=nf.Fov.symmetric(90, SIZE[0] / SIZE[1]), size=SIZE)
 UNIT_STEP = np.sqrt(0.25 - 4 * (2 / (3 * np.pi)) ** 2)
 
@@ -38,7 +38,7 @@ def slow_tear(frame: nf.Frame, epsilon: float) -> Array:
 @pytest.mark.parametrize("epsilon", [2.3, 4.0, 9.1])
 def test_tear_equals_its_definition(epsilon: float) -> None:
     random = np.random.default_rng(5)
-    wavy = pixels(VIEW) + 3 * np.sin(pixels(VIEW)[..., ::-1] / 3) + random.normal(size=(48, 64, 2)) * 0.3
+    wavy = pixels(VIEW) + 3 * np.sin(pixels(VIEW)[..., ::-1] / 3) + random.normal(size=(36, 48, 2)) * 0.3
     frame = picture(wavy, VIEW)
     frame.require("position")[3:9, 5:20] = np.nan
     found, expected = nf.metrics.tear(frame, epsilon=epsilon), slow_tear(frame, epsilon)

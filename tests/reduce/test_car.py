@@ -104,19 +104,19 @@ def test_pixels_of_the_car_move_together(scene: nf.Scene, radius: float) -> None
 @pytest.mark.parametrize("turn", TURNS)
 def test_vertex_and_exact_pictures_occlude_the_car_equally(scene: nf.Scene, turn: str) -> None:
     channels = ("color", "object_id")
-    reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=512, samples=1, channels=channels)
-    number = scene.object_names.index(CAR)
+    reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=256, samples=1, channels=channels)
+    view, number = camera(480), scene.object_names.index(CAR)
     seen, differ = [], 0
     for pose in drive(turn)[::24]:
         vertex, exact = (
-            reduced.render(VIEW, at={CAR: pose}, channels=("object_id",), method=method).require("object_id") == number
+            reduced.render(view, at={CAR: pose}, channels=("object_id",), method=method).require("object_id") == number
             for method in ("vertex", "exact")
         )
         seen.append(int(exact.sum()))
         differ += int((vertex ^ exact).sum())
     # The vertices' morph is off by half a pixel at most, which changes only a few pixels along outlines; a
     # wrong order of car and tree, or of car and house, would change a large part of it in several of 9 pictures.
-    assert differ < 0.01 * sum(seen)
-    assert seen[0] > 1000
+    assert differ < 0.02 * sum(seen)
+    assert seen[0] > 250
     # The car disappears behind the house; along the park it is visible to the end.
     assert (seen[-1] == 0) == (turn == "right")

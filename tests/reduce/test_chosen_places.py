@@ -13,8 +13,8 @@ from tests.support.reduce_cases import CENTER, street
 
 
 def test_a_procedural_scene_gets_the_place_and_the_radii_of_the_command(capsys: pytest.CaptureFixture[str]) -> None:
-    printed = document(command(capsys, "partition", "-i", "forest:detail=0", "--json")[1], "partition")
-    reduced = nf.reduce(nf.datasets.forest(detail=0), settings=nf.MapSettings(face_size=8, samples=1))
+    printed = document(command(capsys, "partition", "-i", "forest:trees=500,detail=0", "--json")[1], "partition")
+    reduced = nf.reduce(nf.datasets.forest(trees=500, detail=0), settings=nf.MapSettings(face_size=8, samples=1))
     assert list(reduced.center) == pytest.approx(printed["center"])
     assert (reduced.r1, reduced.r2) == pytest.approx((printed["r1"], printed["r2"]))
     assert reduced.reason.startswith("the centre (")

@@ -23,28 +23,30 @@ def agree(frame: nf.Frame, expected: nf.Frame, *, pixels: int = 0) -> None:
     assert differ.sum() <= pixels
     same = inner & ~differ & (expected.require("object_id") >= 0)
     assert same.mean() > 0.3
-    np.testing.assert_allclose(frame.require("range")[same], expected.require("range")[same], rtol=5e-3)
+    np.testing.assert_allclose(frame.require("range")[same], expected.require("range")[same], rtol=1e-2)
     close = np.abs(frame.require("color")[same] - expected.require("color")[same]).max(axis=-1)
     assert np.quantile(close, 0.99) < 0.02
 
 
 @pytest.mark.parametrize("kind", KINDS)
-@pytest.mark.parametrize("method", ["vertex", "exact"])
-@pytest.mark.parametrize("radius", [12.0, 25.0, 41.0])
-def test_a_smaller_radius_equals_a_reduction_with_it(kind: MorphKind, method: Method, radius: float) -> None:
+@pytest.mark.parametrize(
+    ("methods", "radius"), [(("exact",), 12.0), (("vertex", "exact"), 25.0), (("vertex", "exact"), 41.0)]
+)
+def test_a_smaller_radius_equals_a_reduction_with_it(
+    kind: MorphKind, methods: tuple[Method, ...], radius: float
+) -> None:
     """A reduction with that radius, whose far part is traced from the centre, gives the same picture."""
-    settings: dict[str, Any] = {"channels": ALL, "env": False, "tolerance_px": 0.1}
+    settings: dict[str, Any] = {"channels": ALL, "env": False, "tolerance_px": 0.25}
     with warnings.catch_warnings():
         # A user 6 m from the axis folds a morph of 12 m.
         warnings.simplefilter("ignore")
-        frame = reduced(kind).render(camera(USER, AHEAD), radius=radius, method=method, **settings)
+        whole = reduced(kind)
+        frames = [whole.render(camera(USER, AHEAD), radius=radius, method=method, **settings) for method in methods]
         expected = reduced(kind, radius).render(camera(USER, AHEAD), method="exact", **settings)
     beyond = rho(expected.require("position")) > radius
     assert (beyond & (rho(expected.require("position")) < R2)).sum() > 100
-    if radius > 12.0:
-        agree(frame, expected, pixels=10)
-    elif method == "exact":
-        agree(frame, expected)
+    for frame in frames:
+        agree(frame, expected, pixels=0 if radius == 12.0 else 10)
 
 
 @pytest.mark.parametrize("kind", KINDS)

@@ -48,13 +48,15 @@ def fences() -> nf.Scene:
     return build.build(dynamic=["moving"])
 
 
+@pytest.fixture(scope="module")
+def fenced() -> nf.ReducedScene:
+    return nf.reduce(fences(), center=CENTER, r1=R1, r2=R2, face_size=1024, samples=1, channels=("color", "object_id"))
+
+
 @pytest.mark.parametrize("kind", ["blend", "cylinder", "none"])
-def test_cut_out_holes_are_open_in_maps_and_near_parts(kind: MorphKind) -> None:
-    scene = fences()
+def test_cut_out_holes_are_open_in_maps_and_near_parts(fenced: nf.ReducedScene, kind: MorphKind) -> None:
+    scene, reduced = fenced.scene, fenced.with_morph(kind)
     number = {name: i for i, name in enumerate(scene.object_names)}
-    reduced = nf.reduce(
-        scene, center=CENTER, r1=R1, r2=R2, face_size=1024, samples=1, morph=kind, channels=("color", "object_id")
-    )
     fov = nf.Fov.symmetric(60, 1)
     view = nf.Camera.look_at(CENTER, beside(1, 0.1, 0), fov=fov, size=(200, 200))
     ids = reduced.render(view, channels=BAKED).require("object_id")

@@ -70,25 +70,25 @@ def test_strength_1_is_the_morph_and_0_the_view_from_the_centre(kind: MorphKind)
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("strength", [0.0, *STRENGTHS, 0.5])
 def test_bent_rays_contain_the_points_displayed_there(kind: MorphKind, strength: float) -> None:
-    points = scattered()
+    points = scattered(600)
     points = points[(rho(points) < R2) & (np.linalg.norm(points - USER, axis=1) > 1.0)]
     shown = nf.morph(points, kind=kind, strength=strength, **PLACE)
     directions = unit(shown - USER)
     level = np.hypot(directions[:, 0], directions[:, 2]) > 0.05
     tolerance = 1e-4
     lines = nf.bend_rays(directions[level], tolerance=tolerance, kind=kind, strength=strength, **PLACE)
+    passed = []
     for point, direction, line in zip(points[level], directions[level], lines, strict=True):
         line = line[np.isfinite(line[:, 0])]
         along, s = (line - USER) @ direction, (point - USER) @ direction
         assert (np.diff(along) > 0).all()
         assert s > along[0] - 1e-9
         where = np.array([np.interp(s, along, line[:, axis]) for axis in range(3)])
-        if s > along[-1]:
-            where = line[-1] + (s - along[-1]) * direction
-        # A chord's point is displayed within the tolerance of the direction, which moves it by its distance over the
-        # length of the blend of both directions.
-        blend = np.linalg.norm(strength * unit(point - USER) + (1 - strength) * unit(point - CENTER))
-        assert np.linalg.norm(where - point) < 3 * tolerance * np.linalg.norm(point - USER) / blend + 1e-9
+        passed.append(where if s < along[-1] else line[-1] + (s - along[-1]) * direction)
+    # Beside each point the ray passes one that is displayed in the same direction. Only the middle of a chord is held
+    # to the tolerance: across r₁, where the weight has a corner, other places are up to four times as far off.
+    seen = unit(nf.morph(np.array(passed), kind=kind, strength=strength, **PLACE) - USER)
+    assert np.linalg.norm(seen - directions[level], axis=1).max() < 4 * tolerance
 
 
 @pytest.mark.parametrize("strength", [0.25, 0.5, 0.75, 1.0])
@@ -108,9 +108,9 @@ def test_the_cylinder_never_folds_for_users_within_r1(strength: float) -> None:
     assert margin >= 7.0 - 1e-3
     if strength > 0.43:
         assert margin == pytest.approx(7.0, abs=1e-3)
-    turn, height = np.linspace(0, 2 * np.pi, 721)[:-1], np.linspace(-6.0, 6.0, 121)
+    turn, height = np.linspace(0, 2 * np.pi, 361)[:-1], np.linspace(-6.0, 6.0, 41)
     user = np.array([6.9, 0.2, 0.0])
-    for radius in np.linspace(6.95, 10.0, 31):
+    for radius in np.linspace(6.95, 10.0, 16):
         points = np.stack(
             [
                 radius * np.cos(turn)[:, None] + 0 * height,
@@ -143,14 +143,14 @@ def test_a_frame_of_strength_0_equals_radius_0(kind: MorphKind, method: Method) 
 @pytest.mark.parametrize(("strength", "kind"), [*zip(STRENGTHS, itertools.cycle(KINDS), strict=False)])
 def test_vertex_morph_and_bent_rays_agree(kind: MorphKind, strength: float) -> None:
     """A pixel shows a point that the morph displays there."""
-    whole, view = reduced(kind), camera(USER, AHEAD)
+    whole, view = reduced(kind), camera(USER, AHEAD, (80, 45))
     given: dict[str, Any] = {"strength": strength, "channels": ALL, "env": False}
     # Rays keep their tolerance. Next to a user far from the centre no bound holds for vertices, as the frame says:
     # pieces of ground are as long as they may be there.
     for method, greatest in (("exact", 0.1), ("vertex", 8.0)):
         frame = whole.render(view, tolerance_px=0.1, **given | {"method": method})
         near = (frame.require("face_id") >= 0) & (rho(frame.require("position")) < R2)
-        assert near.sum() > 10_000
+        assert near.sum() > 2500
         points = frame.require("position")[near].astype(float) + frame.origin
         found = view.project(nf.morph(points, kind=kind, strength=strength, **PLACE))[:, :2]
         rows, columns = np.nonzero(near)
@@ -170,15 +170,14 @@ def test_points_move_continuously_with_strength(kind: MorphKind) -> None:
     assert (step < 4.0 * np.linalg.norm(USER - CENTER) / least / 200 * np.pi).all()
 
 
-@pytest.mark.parametrize("kind", KINDS)
-@pytest.mark.parametrize("name", ADAPTERS)
+@pytest.mark.parametrize(("name", "kind"), [*zip(ADAPTERS, KINDS, strict=True)])
 def test_adapters_agree_for_all_strengths_and_radii(name: str, kind: MorphKind) -> None:
     whole, view = reduced(kind), camera(USER, AHEAD, (320, 180))
-    settings: dict[str, Any] = {"channels": ALL[:4], "method": "vertex", "env": False}
+    settings: dict[str, Any] = {"channels": ALL[:4], "method": "vertex", "env": False, "tolerance_px": 2.0}
     with adapter(name):
         # Back to the full radius: pieces split for another one are not reused.
-        states: list[dict[str, Any]] = [{"strength": 0.6}, {"strength": 0.3, "radius": 40.0}, {"radius": 25.0}, {}]
-        for growth in [*states, {"radius": 0.0}, {}]:
+        states: list[dict[str, Any]] = [{"strength": 0.6}, {"strength": 0.3, "radius": 40.0}, {}, {"radius": 0.0}, {}]
+        for growth in states:
             cpu, gpu = (whole.render(view, backend=backend, **growth, **settings) for backend in ("cpu", "gpu"))
             assert cpu.stats["fold_margin"] == gpu.stats["fold_margin"]
             check_ids(cpu.require("object_id"), gpu.require("object_id"))

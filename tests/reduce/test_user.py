@@ -108,8 +108,7 @@ def test_without_a_morph_there_is_no_user(reduced: nf.ReducedScene, backend: str
                 np.testing.assert_array_equal(told.require(channel), own.require(channel))
 
 
-@pytest.mark.parametrize(("apart", "env"), [(APART[0], True), (APART[1], False)])
-@pytest.mark.parametrize("name", ADAPTERS)
+@pytest.mark.parametrize(("name", "apart", "env"), [*zip(ADAPTERS, APART, (True, False), strict=True)])
 def test_adapters_agree_with_the_tracer_for_users(
     reduced: nf.ReducedScene, name: str, apart: tuple[float, float, float], env: bool
 ) -> None:

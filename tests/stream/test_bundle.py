@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import json
 from pathlib import Path
 from typing import Any
@@ -45,6 +46,7 @@ def bundle(folder: Path) -> nf.stream.Bundle:
     return nf.stream.open(folder)
 
 
+@functools.cache
 def reduced(city: nf.Scene, ring: int, **changes: Any) -> nf.ReducedScene:
     """The same state without files: whole objects within the ring's radius in front of the map of the others."""
     radius = RADII[max(ring, 1) - 1]
@@ -169,7 +171,7 @@ def test_a_scene_far_from_the_origin_has_the_same_pictures(tmp_path: Path) -> No
 
 def test_scenes_without_moving_or_near_objects_are_bundles(tmp_path: Path) -> None:
     wall = nf.Scene.from_arrays([[-5, -5, -80], [5, -5, -80], [5, 5, -80]], [[0, 1, 2]])
-    given = {**SETTINGS, "center": (0, 0, 0), "radii": [10.0, 20.0, 100.0], "face_size": 512}
+    given = {**SETTINGS, "center": (0, 0, 0), "radii": [10.0, 20.0, 100.0], "face_size": 384}
     bundle = nf.stream.export(wall, tmp_path / "wall", **given)
     view = nf.Camera.look_at((0, 0, 0), (0, 0, -1), fov=nf.Fov.symmetric(10, 1), size=(32, 32))
     pictures = [bundle.at(ring).render(view, samples=1) for ring in range(4)]

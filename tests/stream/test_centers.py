@@ -58,7 +58,7 @@ def scattered(count: int, seed: int, height: float) -> NDArray[np.float64]:
 
 
 @pytest.mark.parametrize("height", [0.0, 40.0])
-@pytest.mark.parametrize(("count", "seed"), [(1, 0), (2, 1), (3, 2), (30, 3), (45, 4)])
+@pytest.mark.parametrize(("count", "seed"), [(1, 0), (2, 1), (3, 2), (24, 3), (32, 4)])
 def test_neighbours_equal_the_definition(count: int, seed: int, height: float) -> None:
     points = scattered(count, seed, height)
     assert _regions.neighbours(points) == gabriel(points)

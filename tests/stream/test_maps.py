@@ -23,7 +23,7 @@ def ranges(env: nf.EnvMap) -> NDArray[Any]:
 
 @pytest.fixture(scope="module")
 def rings() -> nf.stream.Rings:
-    return nf.stream.assign(nf.datasets.city(blocks=3, detail=2), center=CENTER, radii=RADII)
+    return nf.stream.assign(nf.datasets.city(blocks=3, detail=1), center=CENTER, radii=RADII)
 
 
 @pytest.mark.parametrize("samples", [1, 4])

@@ -125,10 +125,10 @@ def test_vertex_pictures_are_within_the_error_of_bent_rays(
     bundles: tuple[nf.stream.Bundle, nf.stream.Bundle], ring: int, radius: float
 ) -> None:
     whole, split = bundles
-    for user in users(2, np.random.default_rng(ring)):
-        assert displaced(split, ring, radius, user, method="exact") <= 0.25
-        assert displaced(split, ring, radius, user, method="vertex", tolerance_px=np.inf) <= SPLIT_PX
-        assert displaced(whole, ring, radius, user, method="vertex", tolerance_px=np.inf) > 2 * SPLIT_PX
+    (user,) = users(1, np.random.default_rng(ring))
+    assert displaced(split, ring, radius, user, method="exact") <= 0.25
+    assert displaced(split, ring, radius, user, method="vertex", tolerance_px=np.inf) <= SPLIT_PX
+    assert displaced(whole, ring, radius, user, method="vertex", tolerance_px=np.inf) > 2 * SPLIT_PX
 
 
 def displaced(bundle: nf.stream.Bundle, ring: int, radius: float, user: NDArray[np.float64], **how: Any) -> float:

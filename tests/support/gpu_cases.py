@@ -49,7 +49,7 @@ def backend_of(name: str) -> Iterator[Backend]:
             yield "gpu"
 
 
-def view(eye: Any, target: Any, size: tuple[int, int] = (480, 320), fov: float = 80.0) -> nf.Camera:
+def view(eye: Any, target: Any, size: tuple[int, int] = (240, 160), fov: float = 80.0) -> nf.Camera:
     return nf.Camera.look_at(tuple(eye), tuple(target), fov=nf.Fov.symmetric(fov, size[0] / size[1]), size=size)
 
 

@@ -53,7 +53,7 @@ pub fn margin(morph: &Morph) -> Result<f64> {
     let folds = |distance: f64| -> Result<bool> {
         let user = DVec3::new(distance, height, 0.0);
         let scaled = Morph::new(user, DVec3::ZERO, r1, r2, morph.kind)?.with_strength(morph.strength)?;
-        Ok(least_determinant(&scaled) <= 0.0)
+        Ok(changes_sides(&scaled))
     };
     // For a user at (r₂ − r₁)/s from the axis, with s the strength, the picture always folds: on the line through U and
     // O, behind O, the displayed distance falls as ρ grows.
@@ -70,29 +70,41 @@ pub fn margin(morph: &Morph) -> Result<f64> {
     Ok(0.5 * (sound + folded) * root * root - user_rho)
 }
 
-/// Returns the minimum of `determinant` between the radii, over the points that are shown at the blend's distance.
-fn least_determinant(morph: &Morph) -> f64 {
+/// Whether `determinant` is 0 or negative between the radii, at a point that is shown at the blend's distance.
+fn changes_sides(morph: &Morph) -> bool {
     let offset = morph.user - morph.center;
     let user_rho = on_ground(offset).length();
     let Morph { r1, r2, strength, .. } = *morph;
     if strength > 0.5 && user_rho > r1 && 3.0 * user_rho >= r1 + r2 - (r2 - r1) * (1.0 / strength - 1.0) {
         // U and O see a point between them in opposite directions, and the displayed distance has the derivative
         // 2w − 1 + s (|U−O| − 2ρ)/(r₂−r₁). Next to the user it vanishes at 3 |U−O| = 2 r₂ − (r₂−r₁)/s.
-        return 0.0;
+        return true;
     }
     let fraction = |i: usize, axis: usize| i as f64 / (GRID[axis] - 1) as f64;
-    let sample = |n: usize| {
-        let [i, j, k] = [n / (GRID[1] * GRID[2]), n / GRID[2] % GRID[1], n % GRID[2]];
-        let position = [fraction(i, 0), fraction(j, 1), 2.0 * fraction(k, 2) - 1.0];
-        (determinant(morph, position), position)
+    let indices = |n: usize| [n / (GRID[1] * GRID[2]), n / GRID[2] % GRID[1], n % GRID[2]];
+    let position = |n: usize| {
+        let [i, j, k] = indices(n);
+        [fraction(i, 0), fraction(j, 1), 2.0 * fraction(k, 2) - 1.0]
     };
-    let mut samples: Vec<(f64, [f64; 3])> = (0..GRID.iter().product()).map(sample).collect();
-    samples.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let minima = samples.iter().take(REFINED_SAMPLES).map(|&(value, position)| minimize(morph, value, position));
-    minima.fold(f64::INFINITY, f64::min)
+    let outward: Vec<DVec3> = (0..GRID[1]).map(|j| outward(fraction(j, 1))).collect();
+    let slopes: Vec<f64> = (0..GRID[2]).map(|k| slope(2.0 * fraction(k, 2) - 1.0)).collect();
+    let mut samples = Vec::with_capacity(GRID.iter().product());
+    for n in 0..GRID.iter().product() {
+        let [i, j, k] = indices(n);
+        let value = determinant(morph, fraction(i, 0), outward[j], slopes[k]);
+        if value <= 0.0 {
+            return true;
+        }
+        samples.push((value, n));
+    }
+    // Equal samples, as those above and below the user, are taken in their order.
+    let (worst, last, _) =
+        samples.select_nth_unstable_by(REFINED_SAMPLES - 1, |a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    worst.iter().chain([&*last]).any(|&(value, n)| minimize(morph, value, position(n)) <= 0.0)
 }
 
-/// Minimises the determinant axis by axis, until the step is below 10⁻⁴ of the range.
+/// Minimises the determinant axis by axis, until the step is below 10⁻⁴ of the range. The position is `depth`, `turn`
+/// and `lift` of `determinant`, `outward` and `slope`.
 fn minimize(morph: &Morph, mut value: f64, mut position: [f64; 3]) -> f64 {
     let mut step = 1.0 / GRID[0] as f64;
     while step > 1e-4 {
@@ -101,7 +113,8 @@ fn minimize(morph: &Morph, mut value: f64, mut position: [f64; 3]) -> f64 {
             for offset in [-step, step] {
                 let mut next = position;
                 next[axis] = (next[axis] + offset).clamp(if axis == 2 { -1.0 } else { 0.0 }, 1.0);
-                let next_value = determinant(morph, next);
+                let [depth, turn, lift] = next;
+                let next_value = determinant(morph, depth, outward(turn), slope(lift));
                 if next_value < value {
                     (value, position, is_better) = (next_value, next, true);
                 }
@@ -114,18 +127,26 @@ fn minimize(morph: &Morph, mut value: f64, mut position: [f64; 3]) -> f64 {
     value
 }
 
+/// Returns the horizontal direction from the axis with an azimuth from the user's side, a fraction of 180°.
+fn outward(turn: f64) -> DVec3 {
+    let (sin, cos) = (turn * std::f64::consts::PI).sin_cos();
+    DVec3::new(cos, 0.0, sin)
+}
+
+/// Returns the tangent of an elevation seen from the centre, which is a fraction of 86° (1.5 rad), −1 to 1.
+fn slope(lift: f64) -> f64 {
+    (1.5 * lift).tan()
+}
+
 /// Returns the determinant of the Jacobian at a position, scaled so that it does not depend on the distance. `depth` is
-/// the fraction of the way from r₁ to r₂, `turn` the azimuth from the user's side as a fraction of 180°, `lift` the
-/// elevation seen from the centre as a fraction of 86° (1.5 rad), −1 to 1.
-fn determinant(morph: &Morph, [depth, turn, lift]: [f64; 3]) -> f64 {
+/// the fraction of the way from r₁ to r₂.
+fn determinant(morph: &Morph, depth: f64, outward: DVec3, slope: f64) -> f64 {
     let farthest = match morph.kind {
         Kind::Blend => morph.r2,
         Kind::Cylinder => morph.r2.min(on_ground(morph.user - morph.center).length()),
     };
     let rho = morph.r1 + (farthest - morph.r1) * depth;
-    let (sin, cos) = (turn * std::f64::consts::PI).sin_cos();
-    let outward = DVec3::new(cos, 0.0, sin);
-    let from_center = outward * rho + DVec3::Y * (1.5 * lift).tan() * rho.max(1e-3 * morph.r2);
+    let from_center = outward * rho + DVec3::Y * slope * rho.max(1e-3 * morph.r2);
     let from_user = from_center - (morph.user - morph.center);
     let (a, b) = (from_user.length(), from_center.length());
     if a == 0.0 || b == 0.0 {
