@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -293,6 +294,7 @@ def test_intervals_cover_known_values() -> None:
 def test_everything_is_printed_with_and_without_data(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Any
 ) -> None:
+    monkeypatch.setattr(study_benchmark, "spans", partial(study_benchmark.spans, draws=5))
     study_benchmark.main()
     monkeypatch.setenv("NEARFAR_DATA", str(tmp_path))
     study_benchmark.main()
