@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import subprocess
-import sys
-
 import numpy as np
 import pytest
 
@@ -90,7 +87,7 @@ def test_detail_selects_the_coarsest_sufficient_level() -> None:
     for detail in (0.0, 5.0, 30.0, 1000.0):
         levels = FEW.levels(detail)
         n = rocks.squares(1200)
-        for body in range(0, 200, 17):
+        for body in range(0, 200, 41):
             error = [rocks.error(2, int(FEW.shapes[body]), n, k) * FEW.radii[body] for k in range(len(rocks.levels(n)))]
             assert error[levels[body]] <= detail
             assert all(e > detail for e in error[levels[body] + 1 :])
@@ -118,11 +115,10 @@ def test_empty_space_is_an_empty_scene() -> None:
     assert FEW.query([[-np.inf] * 3, [np.inf] * 3], 50.0).triangle_count == FEW.scene(50.0).triangle_count
 
 
-def test_equal_in_other_processes() -> None:
-    code = (
-        "from nearfar import datasets; from tests.support.solids import digest; "
-        "print(digest(datasets.asteroids(40, 300, seed=9).scene(5.0).triangles()))"
-    )
-    said = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.strip()
-    assert said == digest(datasets.asteroids(40, 300, seed=9).scene(5.0).triangles())
-    assert said != digest(datasets.asteroids(40, 300, seed=8).scene(5.0).triangles())
+GOLDEN = "5f630addea0992fc"
+"""Digest of a belt; it changes only with the rocks."""
+
+
+def test_belts_have_the_same_bytes_everywhere() -> None:
+    assert digest(datasets.asteroids(40, 300, seed=9).scene(5.0).triangles()) == GOLDEN
+    assert digest(datasets.asteroids(40, 300, seed=8).scene(5.0).triangles()) != GOLDEN

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+
 import numpy as np
 import pytest
 
@@ -37,9 +39,11 @@ def test_only_the_conventional_method_adds_spheres() -> None:
 
 
 def test_counts_and_places() -> None:
-    asked = set()
-    for seed in range(60):
+    asked: set[tuple[int, int]] = set()
+    for seed in itertools.takewhile(lambda _: len(asked) < 6, range(60)):
         scene, task = count_task(seed)
+        if (task.answer, len(task.across)) in asked:
+            continue
         asked.add((task.answer, len(task.across)))
         assert len(task.spheres) == task.answer
         assert scene.object_names == ("ground", *task.spheres)

@@ -165,10 +165,9 @@ def test_city_grows_with_detail(detail: int) -> None:
 
 
 def test_city_is_the_same_on_every_run() -> None:
-    first, second = datasets.city(blocks=2, detail=2), datasets.city(blocks=2, detail=2)
-    assert digest(first.triangles()) == digest(second.triangles())
+    first, second, other = (datasets.city(blocks=1, seed=seed, detail=2) for seed in (0, 0, 1))
+    assert digest(first.triangles()) == digest(second.triangles()) != digest(other.triangles())
     assert first.object_names == second.object_names
-    assert digest(datasets.city(blocks=2, seed=1).triangles()) != digest(first.triangles())
 
 
 # Fixed hashes detect changes of platform, NumPy or drawing order; replace them only on purpose.
@@ -208,7 +207,7 @@ def test_geometry_has_the_same_bytes_everywhere() -> None:
     assert golden_digests() == GOLDEN
 
 
-@pytest.mark.parametrize("blocks", [1, 2, 3, 5])
+@pytest.mark.parametrize("blocks", [1, 2, 5])
 def test_street_view_is_free(blocks: int) -> None:
     (x, y, z), target = datasets.street_view()
     corners = datasets.city(blocks=blocks).triangles()

@@ -38,6 +38,11 @@ def hall() -> nf.Scene:
     return datasets.factory(detail=1)
 
 
+@pytest.fixture(scope="module")
+def simple() -> nf.Scene:
+    return datasets.factory(detail=0)
+
+
 def sphere(count: int) -> NDArray[np.float64]:
     """Return evenly spread unit directions (count, 3): a Fibonacci lattice."""
     index = np.arange(count)
@@ -88,20 +93,16 @@ PROTOTYPES: dict[str, Callable[[int], Soup]] = {
 }
 
 
-@pytest.mark.parametrize("detail", range(4))
 @pytest.mark.parametrize("name", PROTOTYPES)
-def test_prototypes_are_closed_and_face_outwards(name: str, detail: int) -> None:
-    soup = PROTOTYPES[name](detail)
-    assert len(lone_edges(soup)) == 0
-    assert volume(soup) > 0
-    # A square of a tenth of a millimetre: far below the smallest part, far above float32's rounding at 10 m.
-    assert areas(soup.corners.astype(np.float32)).min() > 1e-8
-
-
-@pytest.mark.parametrize("detail", [1, 2])
-@pytest.mark.parametrize("name", PROTOTYPES)
-def test_no_surface_of_a_prototype_lies_in_another(name: str, detail: int) -> None:
-    assert count_covered(PROTOTYPES[name](detail).corners) == 0
+def test_prototypes_are_closed_and_face_outwards(name: str) -> None:
+    for detail in range(4):
+        soup = PROTOTYPES[name](detail)
+        assert len(lone_edges(soup)) == 0, detail
+        assert volume(soup) > 0, detail
+        # A square of a tenth of a millimetre: far below the smallest part, far above float32's rounding at 10 m.
+        assert areas(soup.corners.astype(np.float32)).min() > 1e-8, detail
+        # No surface lies in another one.
+        assert detail not in {1, 2} or count_covered(soup.corners) == 0, detail
 
 
 def test_a_bent_pipe_keeps_its_radius() -> None:
@@ -116,9 +117,9 @@ def test_a_bent_pipe_keeps_its_radius() -> None:
 RANGES = {0: (120_000, 180_000), 1: (600_000, 900_000), 2: (1_800_000, 2_600_000)}
 
 
-@pytest.mark.parametrize("detail", RANGES)
-def test_the_factory_grows_with_detail(detail: int) -> None:
-    scene = datasets.factory(detail=detail)
+@pytest.mark.parametrize("detail", [0, 1, pytest.param(2, marks=pytest.mark.slow)])
+def test_the_factory_grows_with_detail(simple: nf.Scene, hall: nf.Scene, detail: int) -> None:
+    scene = (simple, hall)[detail] if detail < 2 else datasets.factory(detail=detail)
     low, high = RANGES[detail]
     assert low < scene.triangle_count < high
     names = scene.object_names
@@ -127,11 +128,10 @@ def test_the_factory_grows_with_detail(detail: int) -> None:
     assert ("branch_9" in names) == (detail >= 1)
 
 
-def test_a_seed_gives_the_same_bytes_and_another_one_others(hall: nf.Scene) -> None:
-    again = datasets.factory(detail=1)
-    assert digest(hall.triangles()) == digest(again.triangles())
-    assert hall.object_names == again.object_names
-    assert digest(datasets.factory(seed=1, detail=1).triangles()) != digest(hall.triangles())
+def test_a_seed_gives_the_same_bytes_and_another_one_others(simple: nf.Scene) -> None:
+    again, other = (datasets.factory(seed=seed, detail=0) for seed in (0, 1))
+    assert digest(simple.triangles()) == digest(again.triangles()) != digest(other.triangles())
+    assert simple.object_names == again.object_names
 
 
 # A fixed hash detects changes of platform, NumPy or drawing order; replace it only on purpose.
@@ -207,15 +207,12 @@ def test_forklifts_are_dynamic(hall: nf.Scene) -> None:
         hall.at({"machine_1": pose})
 
 
-MAKERS: dict[str, Callable[..., nf.Scene]] = {
-    "factory": lambda **more: datasets.factory(detail=1, **more),
-    "city": lambda **more: datasets.city(blocks=2, detail=2, **more),
-}
-
-
-@pytest.mark.parametrize("name", MAKERS)
-def test_copies_that_share_no_mesh_look_alike(name: str) -> None:
-    shared, copied = MAKERS[name](), MAKERS[name](instanced=False)
+@pytest.mark.parametrize("name", ["factory", "city"])
+def test_copies_that_share_no_mesh_look_alike(simple: nf.Scene, name: str) -> None:
+    if name == "factory":
+        shared, copied = simple, datasets.factory(detail=0, instanced=False)
+    else:
+        shared, copied = (datasets.city(blocks=2, detail=1, instanced=instanced) for instanced in (True, False))
     assert copied.triangle_count == shared.triangle_count
     assert copied.object_names == shared.object_names
     # All static objects are one mesh; each of the eight moving objects has its own.
@@ -230,6 +227,7 @@ def test_copies_that_share_no_mesh_look_alike(name: str) -> None:
     assert np.isclose(first, second, rtol=1e-4, atol=0.0).mean() > 0.999
 
 
+@pytest.mark.slow
 def test_the_near_zone_has_the_size_of_the_published_scene() -> None:
     scene = datasets.factory(detail=3)
     eye, _ = datasets.factory_view()

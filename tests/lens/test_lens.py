@@ -11,7 +11,7 @@ import cv2
 import mpmath
 import numpy as np
 import pytest
-from hypothesis import assume, given, strategies as st
+from hypothesis import assume, given, settings, strategies as st
 from mpmath import mpf
 from numpy.typing import NDArray
 
@@ -133,6 +133,7 @@ def test_lenses_at_the_limits_of_floats(k: tuple[float, ...]) -> None:
     assert math.isinf(lens.r_max) == (min(k[:1] + k[-1:]) >= 0 or k[1:] == (-1e-300,)), lens.r_max
 
 
+@settings(max_examples=settings().max_examples // 2)
 @given(st.integers(1, 64), st.floats(-29, 29), st.floats(-10, 10), st.booleans(), st.floats(0, 1))
 def test_lenses_of_any_scale_are_inverted(
     power: int, exponent: float, other: float, negative: bool, share: float

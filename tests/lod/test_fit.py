@@ -166,22 +166,23 @@ def test_curves_of_pure_noise_are_flat() -> None:
 MEMORY = f"""{PEAK}
 import numpy as np
 import nearfar as nf
-x = np.random.default_rng(0).uniform(0.001, 3, 1_000_000)
+x = np.random.default_rng(0).uniform(0.001, 3, 200_000)
 truth = (0.9, 2.5, 0.3, 0.2)
 y = truth[3] + (truth[0] - truth[3]) / (1 + (x / truth[2]) ** truth[1])
 np.testing.assert_allclose(list(nf.lod.fit_4pl(x, y)), truth, rtol=1e-9)
 # All but three samples lie at one x.
-x, y = np.full(1_000_000, 0.1), np.full(1_000_000, 0.9)
+x, y = np.full(200_000, 0.1), np.full(200_000, 0.9)
 x[[7, 8, 9]], y[[7, 8, 9]] = (0.2, 0.4, 0.8), (0.8, 0.4, 0.3)
 np.testing.assert_allclose(nf.lod.fit_4pl(x, y)(x[6:10]), y[6:10], atol=1e-6)
 print(peak())
 """
 
 
-def test_a_million_samples_take_little_memory() -> None:
+def test_many_samples_take_little_memory() -> None:
     need("linux")
     printed = subprocess.run([sys.executable, "-c", MEMORY], check=True, capture_output=True, text=True).stdout
-    assert int(printed) < 1e9
+    # A third of it is the interpreter with NumPy.
+    assert int(printed) < 3e8
 
 
 BITS = """

@@ -79,13 +79,13 @@ def squared(curve: nf.lod.Curve4PL, x: Array, y: Array) -> float:
 @pytest.mark.parametrize(("samples", "noise"), [(8, 0.1), (20, 0.05), (40, 0.01)])
 def test_residuals_are_at_most_scipys(samples: int, noise: float) -> None:
     compared = 0
-    for x, y in noisy(7, 20, samples, noise):
+    for x, y in noisy(7, 12, samples, noise):
         curve = nf.lod.fit_4pl(x, y)
         if curve.ok:
             compared += 1
             assert squared(curve, x, y) <= by_scipy(x, y) * (1 + 1e-9)
             assert curve.rms**2 * samples == pytest.approx(squared(curve, x, y), rel=1e-9)
-    assert compared >= (4 if samples == 8 else 15)
+    assert compared >= (2 if samples == 8 else 9)
 
 
 @pytest.mark.parametrize("samples", [5, 9, 20])

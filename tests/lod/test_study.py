@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -154,11 +155,11 @@ def test_kolmogorov_distance_of_two_values() -> None:
 
 @pytest.mark.parametrize("n", [24, 240])
 def test_p_of_normal_values_has_its_nominal_rate(n: int) -> None:
-    """Tolerates four deviations of 1,000 samples, and 10 % of the level for the formula's own error."""
-    samples = ndtri(random.uniform(7, n, np.arange(1000 * n)).reshape(1000, n))
+    """Tolerates four deviations of 500 samples, and 10 % of the level for the formula's own error."""
+    samples = ndtri(random.uniform(7, n, np.arange(500 * n)).reshape(500, n))
     p = np.array([user_study.lilliefors(sample)[1] for sample in samples])
     for level in (0.01, 0.05):
-        assert abs((p <= level).mean() - level) < 4 * np.sqrt(level * (1 - level) / 1000) + 0.1 * level
+        assert abs((p <= level).mean() - level) < 4 * np.sqrt(level * (1 - level) / 500) + 0.1 * level
     assert p.max() == 0.1
 
 
@@ -293,6 +294,7 @@ def test_intervals_cover_known_values() -> None:
 def test_everything_is_printed_with_and_without_data(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Any
 ) -> None:
+    monkeypatch.setattr(study_benchmark, "spans", partial(study_benchmark.spans, draws=5))
     study_benchmark.main()
     monkeypatch.setenv("NEARFAR_DATA", str(tmp_path))
     study_benchmark.main()

@@ -30,6 +30,11 @@ def study() -> Study:
     return user_study.load(data(user_study.FILE)).first(TABULATED)
 
 
+@pytest.fixture(scope="module")
+def spans(study: Study) -> dict[tuple[str, str], tuple[float, float]]:
+    return study_benchmark.spans(study, draws=60)
+
+
 def test_all_printed_figures_are_computed() -> None:
     """Includes the synthetic study, whose headsets and columns have the same names."""
     keys = [(printed.statistic, printed.of) for printed in PRINTED]
@@ -53,8 +58,9 @@ def test_figures_equal_the_printed_digits(study: Study) -> None:
     assert max(both.tau_p, both.rho_p) < 0.01
 
 
-def test_other_differences_are_within_the_rounding_of_d(study: Study) -> None:
-    spans = study_benchmark.spans(study, draws=60)
+def test_other_differences_are_within_the_rounding_of_d(
+    study: Study, spans: dict[tuple[str, str], tuple[float, float]]
+) -> None:
     for printed in PRINTED:
         key, half = (printed.statistic, printed.of), 0.5 * 10**-printed.decimals
         low, high = spans[key]
@@ -118,7 +124,10 @@ def test_further_decimals_belong_to_a_level_and_round_to_listed_values() -> None
     assert not np.array_equal(study_benchmark.with_decimals(twin, 4).d, drawn.d)
 
 
-def test_the_table_shows_both(study: Study) -> None:
+def test_the_table_shows_both(
+    study: Study, spans: dict[tuple[str, str], tuple[float, float]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(study_benchmark, "spans", lambda _: spans)
     shown = study_benchmark.table_beside_thesis(study)
     assert "| 5.4 | D of d, rift | .135 | 0.13436 | -0.00064 | 0.134" in shown
     assert "| 5.8 | ρ of d and k | -.220 | -0.21974 | same |" in shown

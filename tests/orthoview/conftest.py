@@ -21,8 +21,8 @@ Tree = nf.orthoview.OrthoTree
 
 @pytest.fixture(scope="session")
 def world() -> nf.Scene:
-    """Boxes in a world of about 9 × 9 × 9 leaves, dense in one corner and absent in others."""
-    return boxes(60, 80.0)[0]
+    """Boxes in a world of 12 × 11 × 12 leaves."""
+    return boxes(24, 80.0)[0]
 
 
 @pytest.fixture(scope="session")

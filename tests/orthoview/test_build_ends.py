@@ -23,7 +23,7 @@ need("zarr")
 Tree = nf.orthoview.OrthoTree
 
 SETTINGS: dict[str, Any] = {"cell": CELL, "size": SIZE, "directions": 5}
-AMID = 216
+AMID = 100
 """Number of the query for a leaf in the middle of a subtree, with non-empty leaves before and after it."""
 
 
@@ -47,7 +47,7 @@ def check_resumed(source: Any, path: Path, whole: Tree) -> None:
 
 def test_cells_whose_query_fails_are_named_and_built_later(few: nf.Scene, few_tree: Tree, tmp_path: Path) -> None:
     path = tmp_path / "world.zarr"
-    first = nf.orthoview.build(Counted(few, {100, AMID}), path, **SETTINGS)
+    first = nf.orthoview.build(Counted(few, {60, AMID}), path, **SETTINGS)
     assert not first.is_complete
     assert len(first.failed) == 2
     assert set(first.failed.values()) == {"OSError: the disk is gone"}
@@ -146,7 +146,7 @@ def test_data_lost_in_a_power_failure_is_drawn_again(few: nf.Scene, whole: Tree,
     """A shard may be shorter than its journal states, and a line of the journal may be damaged."""
     path = tmp_path / "world.zarr"
     with pytest.raises(KeyboardInterrupt):
-        nf.orthoview.build(Interrupted(few, 462), path, **SETTINGS)
+        nf.orthoview.build(Interrupted(few, 150), path, **SETTINGS)
     part = max(path.rglob("*.part"), key=lambda file: file.stat().st_size)
     part.write_bytes(part.read_bytes()[:-10])
     (journal,) = (path / "nearfar" / "journal").glob("0_*")
@@ -219,7 +219,7 @@ def test_webp_colours_are_resumed(few: nf.Scene, tmp_path: Path, quality: int | 
             np.testing.assert_array_equal(one.depth, other.depth)
             assert not one.color[~np.isfinite(one.depth)].any()
             differences.append(np.abs(one.color.astype(int) - other.color).max())
-    assert len(differences) > 10
+    assert len(differences) > 5
     assert (max(differences) > 0) == (quality is not None)
     if quality is not None:
         with pytest.raises(KeyboardInterrupt):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +21,7 @@ PER_SQUARE_METRE = 2 / PITCH**2
 """Triangles of the plain."""
 
 
+@functools.cache
 def plain(side: float = SIDE) -> nf.Scene:
     """A square of equal triangles, so that leaves' triangles are proportional to their area."""
     count = int(side / PITCH)
@@ -57,7 +59,7 @@ def test_the_side_is_the_greatest_with_few_enough_triangles_near_a_viewer(
             assert choice.finer == expected < choice.cell
             assert choice.leaves <= 2000
             assert f"leaves of {expected} m would suit" in str(choice)
-        assert choice == nf.orthoview.choose_cell(world, size=size, directions=directions)
+    assert choice == nf.orthoview.choose_cell(world, size=size, directions=directions)
     monkeypatch.setattr(_choose_cell, "MAX_LEAVES", 10)
     few = nf.orthoview.choose_cell(world, size=64)
     assert few.leaves <= 10

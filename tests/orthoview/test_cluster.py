@@ -23,7 +23,7 @@ need("distributed")
 
 pytestmark = pytest.mark.slow
 
-FULL = (5, 4, 6)
+FULL = (5, 1, 7)
 """A non-empty leaf in the middle of a subtree."""
 
 

@@ -23,7 +23,7 @@ Tree = nf.orthoview.OrthoTree
 
 @pytest.fixture(scope="module")
 def scene() -> nf.Scene:
-    return world_of(range(40))
+    return world_of(range(25))
 
 
 @pytest.fixture(scope="module")
@@ -38,10 +38,9 @@ def changes(tree: Tree, camera: nf.Camera, errors: NDArray[np.float64], continuo
     return np.array([np.sqrt(((one - other) ** 2).mean()) for one, other in itertools.pairwise(frames)])
 
 
-@pytest.mark.parametrize("distance", [110.0, 170.0])
-def test_pictures_change_gradually_while_the_error_doubles(shared_tree: Tree, distance: float) -> None:
+def test_pictures_change_gradually_while_the_error_doubles(shared_tree: Tree) -> None:
     """Uses a still camera. If cells changed as a whole, a single step would cause most of the total change."""
-    camera, errors = camera_at(shared_tree, distance), np.geomspace(1, 2, 41)
+    camera, errors = camera_at(shared_tree, 170.0), np.geomspace(1, 2, 41)
     jumps, smooth = (changes(shared_tree, camera, errors, continuous) for continuous in (False, True))
     assert jumps.max() > 0.01
     assert smooth.max() < 0.75 * jumps.max()
@@ -81,7 +80,7 @@ def flight(tree: Tree) -> list[nf.Camera]:
 
 
 @pytest.mark.parametrize("continuous", [False, True])
-@pytest.mark.parametrize("budget", [8000, 4000])
+@pytest.mark.parametrize("budget", [6000, 4000])
 def test_a_flight_keeps_to_a_budget(shared_tree: Tree, budget: int, continuous: bool) -> None:
     tree = nf.orthoview.open(shared_tree.path)
     settings: dict[str, Any] = {"geometry": False, "continuous": continuous, "channels": ("color",)}

@@ -39,7 +39,7 @@ def test_after_a_wait_pictures_equal_the_tree(tree: Tree, settings: dict[str, An
     """From near and far, after any earlier pictures."""
     leaves = 0
     with tree.fly(**settings, adapt=False) as flight:
-        places = [(20, 0.3), (500, 4.0), (40, 0.4)]
+        places = [(25, 0.3), (500, 4.0), (40, 0.4)]
         for number, (distance, angle) in enumerate(places):
             camera = camera_at(tree, distance, angle)
             frame = whole(flight, lambda: flight.render(camera, time=number, channels=CHANNELS))  # noqa: B023
@@ -144,7 +144,7 @@ def test_pictures_keep_parts_until_replacements_arrive(tree: Tree, flight: nf.or
         right = tree.render(moved, channels=CHANNELS)
         assert frame.stats["missing"] > 0 == frame.stats["empty"]
         assert len(flight._previous[0].parts() & held) > len(held) / 4
-        assert (there(right) & ~there(frame)).sum() <= 0.05 * there(right).sum()
+        assert (there(right) & ~there(frame)).sum() <= 0.08 * there(right).sum()
         both = there(right) & there(frame)
         off = np.abs(frame.require("range")[both] - right.require("range")[both])
         assert np.median(off) < tree.cell / 2

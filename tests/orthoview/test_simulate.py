@@ -53,10 +53,12 @@ def is_record(request: Request) -> bool:
     return request.file.startswith("nearfar/")
 
 
-def flown(tree: Tree, cameras: Sequence[nf.Camera], threads: int) -> list[Request]:
+def flown(tree: Tree, cameras: Sequence[nf.Camera], threads: int, **prefetch: Any) -> list[Request]:
     """Requests of a simulated flight over a fast link; each frame comes when all is read."""
     requests = FlightRequests(tree)
-    pilot = Pilot(requests.opened.viewer.cutter, nf.orthoview.FlightSettings().cut, PrefetchSettings(adapt=False))
+    pilot = Pilot(
+        requests.opened.viewer.cutter, nf.orthoview.FlightSettings().cut, PrefetchSettings(adapt=False, **prefetch)
+    )
 
     def plan(camera: nf.Camera, time: float, _received: Any, _busy: bool, is_read: Any) -> Plan:
         pilot.look(camera, time)
@@ -95,7 +97,8 @@ def test_flights_over_http_make_the_simulated_requests(tree: Tree, threads: int)
     files = sum(request.file.startswith("geometry/") for request in found)
     # Besides views and leaves' files: a record for each subtree, and the list of records.
     assert len(found) <= read.views + files + records + 1
-    assert read.views > 50 < files
+    assert read.views > 50
+    assert files > 20
     assert opening == 1
 
 
@@ -182,14 +185,18 @@ def test_all_needed_parts_are_requested_once(tree: Tree) -> None:
     log = nf.orthoview.simulate(tree, cameras, link=Link(100.0), rate=20.0, margin_deg=None)
     queue = tree.prefetch_queue(cameras[0].position, camera=cameras[0])
     coarsest = set(tree.cut(cameras[0], error_px=1e30, geometry=False, around=True).keys())
+    # Cells above subtrees whose records have not arrived stand in for these.
+    level = tree._layout.subtree
+    above = {(level, place, n) for place in np.ndindex(*tree.cells(level)) for n in range(len(tree.directions))}
+    instead = coarsest | {key for key in above if tree.view(*key) is not None}
     needed = {*queue.needed, *queue.soon}
-    records = sum(request.bytes for request in flown(tree, cameras[:3], 1) if is_record(request))
-    assert sizes(tree, needed) + records <= log.asked == log.received[-1] <= sizes(tree, coarsest | needed) + records
+    records = sum(request.bytes for request in flown(tree, cameras[:3], 1, margin=None) if is_record(request))
+    assert sizes(tree, needed) + records <= log.asked == log.received[-1] <= sizes(tree, instead | needed) + records
     bare = nf.orthoview.simulate(tree, cameras, link=Link(100.0), rate=20.0, prefetch=False)
     cut = tree.cut(cameras[0])
     shown = {(0, place, -1) for place in tree._viewer.cutter.with_guests(cut.leaf_places(in_picture=True))}
     needed = shown | set(cut.keys(in_picture=True))
-    assert sizes(tree, needed) <= bare.asked == bare.received[-1] <= sizes(tree, coarsest | needed) + records
+    assert sizes(tree, needed) <= bare.asked == bare.received[-1] <= sizes(tree, instead | needed) + records
     assert bare.asked < log.asked
     # There are few coarsest views.
     assert sizes(tree, coarsest) < 0.5 * sizes(tree, needed)
@@ -220,16 +227,16 @@ def test_a_round_trip_delays_every_part(tree: Tree) -> None:
 def test_with_a_fast_link_only_the_first_frames_stall(tree: Tree) -> None:
     """New parts of a frame are requested then, and present in the next one; each tier of records takes a frame."""
     tiers = tree._layout.tiers
-    log = nf.orthoview.simulate(tree, path(60), link=FAST, adapt=False)
+    log = nf.orthoview.simulate(tree, path(30), link=FAST, adapt=False)
     assert log.stalled[: tiers + 1].all()
     assert not log.stalled[tiers + 1 :].any()
-    bare = nf.orthoview.simulate(tree, path(60), link=FAST, adapt=False, prefetch=False)
+    bare = nf.orthoview.simulate(tree, path(30), link=FAST, adapt=False, prefetch=False)
     assert bare.stalled[tiers + 1 :].any()
 
 
 @pytest.mark.parametrize("mbps", [4.0, 30.0])
 def test_prefetching_saves_stalls(tree: Tree, mbps: float) -> None:
-    cameras = [*still(60), *path(90, step=(0.4, 0, 0))]
+    cameras = [*still(60), *path(60, step=(0.4, 0, 0))]
     logs = [
         nf.orthoview.simulate(tree, cameras, link=Link(mbps, rtt_ms=20.0), adapt=False, prefetch=prefetch)
         for prefetch in (True, False)
@@ -264,7 +271,7 @@ def test_a_small_cache_requests_parts_again(tree: Tree) -> None:
 
 
 def test_pictures_are_coarser_on_a_slow_link(tree: Tree) -> None:
-    cameras = [*path(40, step=(1.5, 0, 0)), *[path(40, step=(1.5, 0, 0))[-1]] * 200]
+    cameras = [*path(40, step=(1.5, 0, 0)), *[path(40, step=(1.5, 0, 0))[-1]] * 100]
     log = nf.orthoview.simulate(tree, cameras, link=Link(5.0), rate=20.0)
     fixed = nf.orthoview.simulate(tree, cameras[:60], link=Link(5.0), rate=20.0, adapt=False)
     assert log.error_px[0] == log.error_px[-1] == log.error_px.min() == 1.0

@@ -29,7 +29,7 @@ def test_samples_show_the_nearest_splat(name: str) -> None:
 
 
 def test_screen_tiles_fit_together() -> None:
-    splats, known = cell_of([(1, 0, 0), (0, 1, 0)])
+    splats, known = cell_of([(1, 0, 0), (0, 1, 0)], size=12)
     images = draw_splats(splats, LARGE)
     assert images["stats"]["splats_projected"] > images["stats"]["splats"]
     assert splat_oracle.check(images, known, LARGE, most_doubt=0.1) > 0.03
@@ -58,7 +58,7 @@ def test_a_floor_at_eye_height_is_a_line_of_its_length(fov: nf.Fov | nf.Orthogra
 @pytest.mark.parametrize("direction", DIRECTIONS)
 def test_views_of_all_directions_are_drawn(direction: Triple) -> None:
     assert set(DIRECTIONS) == set(directions_of(26))
-    splats, known = cell_of([direction])
+    splats, known = cell_of([direction], size=12)
     camera = facing(direction, WIDE)
     assert splat_oracle.check(draw_splats(splats, camera), known, camera) > 0.1
 

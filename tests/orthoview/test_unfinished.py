@@ -22,8 +22,8 @@ Tree = nf.orthoview.OrthoTree
 Place = tuple[int, int, int]
 
 SETTINGS: dict[str, Any] = {"cell": CELL, "size": SIZE, "directions": 5}
-ENDS = (1, 2, 60, 216)
-"""Numbers of the query at which builds end: before the first leaf and after it, and in the middle of subtrees."""
+ENDS = (1, 60, 200)
+"""Numbers of the query at which builds end: before the first leaf, in the first subtree and in the second."""
 
 
 class Recorded(Interrupted):
@@ -44,10 +44,10 @@ class Only(Counted):
 
     def __init__(self, scene: nf.Scene, boxes: list[NDArray[np.float64]]) -> None:
         super().__init__(scene)
-        self._boxes = boxes
+        self._boxes = {box.tobytes() for box in boxes}
 
     def query(self, aabb: ArrayLike, detail: Any = 0.0) -> nf.Scene:
-        if any(np.array_equal(box, aabb) for box in self._boxes):
+        if np.asarray(aabb).tobytes() in self._boxes:
             return super().query(aabb, detail)
         return self._scene.query([[1e6] * 3, [1e6 + 1] * 3])
 
@@ -111,12 +111,13 @@ def test_an_interrupted_build_shows_the_leaves_that_it_reached(
             flown = flight.render(camera)
         assert np.array_equal(flown.require("color"), tree.render(camera).require("color"))
         assert (flown.stats["missing"], flown.stats["unbuilt"]) == (0, tree.cut(camera).unbuilt)
+        assert tree.near_scene(tree.bounds.mean(axis=0), 50.0) is not None
+    if at == 60:
         counts = tree.export_splats(tmp_path / "part.spz")
         assert (counts["unbuilt"], counts["splats"] > 0) == (tree.unbuilt, True)
         assert counts["splats"] == part.export_splats(tmp_path / "only.spz")["splats"]
         tiles = tree.export_splats(tmp_path / "tiles")
         assert tiles["splats"] > counts["splats"] or tree.held["cells"] == tree.held["leaves"]
-        assert tree.near_scene(tree.bounds.mean(axis=0), 50.0) is not None
     files = tree.verify()
     assert (files > 0) == (tree.held["cells"] > 0)
     with pytest.raises(ValueError, match=rf"expected a complete tree, .*{tree.unbuilt:,} leaves not built yet"):
@@ -145,7 +146,7 @@ def test_a_flight_sees_a_running_build_grow(few: nf.Scene, few_tree: Tree, tmp_p
                 flights.append(nf.orthoview.open(path).fly(prefetch=False))
                 colors.append(draw(flights[0]))
                 assert not flights[0].refresh()  # nothing new
-            elif self.queries > 100 and self.queries % 200 == 0:
+            elif self.queries > 100 and self.queries % 80 == 0:
                 assert flights[0].refresh()
                 colors.append(draw(flights[0]))
             return super().query(aabb, detail)
@@ -165,13 +166,13 @@ def test_failed_leaves_of_a_running_build_are_named(few: nf.Scene, tmp_path: Pat
     class Failing(Interrupted):
         def query(self, aabb: ArrayLike, detail: Any = 0.0) -> nf.Scene:
             part = super().query(aabb, detail)
-            if self.queries in (20, 300):
+            if self.queries in (20, 200):
                 raise OSError("the disk is gone")
             return part
 
     path = tmp_path / "part.zarr"
     with pytest.raises(KeyboardInterrupt):
-        nf.orthoview.build(Failing(few, 310), path, **SETTINGS)
+        nf.orthoview.build(Failing(few, 210), path, **SETTINGS)
     tree = nf.orthoview.open(path)
     assert list(tree.failed.values()) == ["OSError: the disk is gone"] * 2
     assert tree.render(camera_of(tree)).stats["failed"] == 2
@@ -182,7 +183,7 @@ def test_failed_leaves_of_a_running_build_are_named(few: nf.Scene, tmp_path: Pat
 def test_a_build_in_a_folder_is_served_as_it_is(few: nf.Scene, tmp_path: Path) -> None:
     """Subtrees of leaves in work are left out, since their files change; a file server has no list of records."""
     path = tmp_path / "part.zarr"
-    interrupted(few, path, 600)
+    interrupted(few, path, 250)
     local = nf.orthoview.open(path)
     with Server.of_bundle(path) as server:
         remote = nf.orthoview.open(server.url)

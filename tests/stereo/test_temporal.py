@@ -79,7 +79,7 @@ def test_the_temporal_kernel_equals_loops(size: tuple[int, int]) -> None:
 
 
 def test_a_still_picture_converges_to_supersampling() -> None:
-    world, hybrid = nf.datasets.beams(), rig(size=(120, 100))
+    world, hybrid = nf.datasets.beams(), rig(size=(72, 60))
     smooth = TemporalAntialiasing(offsets=8)
     for _ in range(8):
         frame = smooth.render(hybrid, world, HEAD, AHEAD)
@@ -97,7 +97,7 @@ def test_a_still_picture_converges_to_supersampling() -> None:
 
 
 def test_pictures_of_a_moving_head_become_smoother() -> None:
-    world, hybrid = nf.datasets.beams(), rig(size=(120, 100))
+    world, hybrid = nf.datasets.beams(), rig(size=(72, 60))
     smooth = TemporalAntialiasing()
     for step in range(20):
         # 3 cm and 0.2 degrees per frame.

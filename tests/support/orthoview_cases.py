@@ -20,8 +20,8 @@ FORMAT = (SIZE, 12, 24)
 STEPS = oracle.steps_of(12)
 
 
-def boxes(count: int = 40, side: float = SIDE) -> tuple[nf.Scene, NDArray[np.float64]]:
-    """Rotated boxes in and about a cell, with the linear RGB of each triangle."""
+def boxes(count: int = 40, side: float = SIDE, height: float = 1.0) -> tuple[nf.Scene, NDArray[np.float64]]:
+    """Rotated boxes in and about a cell, with the linear RGB of each triangle; `height` scales them along y."""
     rng = np.random.default_rng(3)
     parts = []
     for _ in range(count):
@@ -30,6 +30,7 @@ def boxes(count: int = 40, side: float = SIDE) -> tuple[nf.Scene, NDArray[np.flo
         turn[:3, 3] = CORNER + rng.uniform(-0.1, 1.1, 3) * side
         parts.append(box.apply_transform(turn))
     mesh = trimesh.util.concatenate(parts)
+    mesh.vertices[:, 1] = CORNER[1] + height * (mesh.vertices[:, 1] - CORNER[1])
     corners = mesh.triangles.reshape(-1, 3)
     codes = rng.integers(0, 256, (len(mesh.faces), 3))
     rgba = np.column_stack([np.repeat(codes, 3, axis=0), np.full(len(corners), 255)]).astype(np.uint8)

@@ -31,7 +31,7 @@ FORMAT = (SIZE, 12, 16)
 
 def few_boxes() -> nf.Scene:
     """Boxes in some of the leaves of four subtrees, and in one more above them."""
-    return boxes(8, 80.0)[0]
+    return boxes(8, 80.0, 0.35)[0]
 
 
 def places(counts: tuple[int, int, int]) -> list[tuple[int, int, int]]:

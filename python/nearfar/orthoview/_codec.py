@@ -27,6 +27,9 @@ Layer = tuple[_core.OrthoViews, NDArray[np.uint8]]
 MIN_UNSEEN_SHARE = 0.01
 """A view keeps its second layer if more than this share of its pixels gain a surface that no first layer shows."""
 
+MIN_THREADED_BYTES = 1 << 15
+"""Views of fewer bytes are compressed one after the other: starting threads takes longer than compressing them."""
+
 
 def drop_unneeded_layers(views: _core.OrthoViews, layout: Layout) -> _core.OrthoViews:
     """Drop second layers that add hardly any surface to the first layers."""
@@ -39,8 +42,6 @@ def encode(views: _core.OrthoViews | None, layout: Layout) -> Encoded:
     """Compress a cell's views, each with all its layers; an empty cell has none."""
     if views is None:
         return {}
-    from nearfar._base import side_by_side  # imported here: its threads import `logging`
-
     second = views.second_layer()
     layers = [channels_of(each, layout) for each in (views, second) if each is not None]
     missing = layout.layers - len(layers)
@@ -51,6 +52,10 @@ def encode(views: _core.OrthoViews | None, layout: Layout) -> Encoded:
         return _compress(Channels(*padded), layout)
 
     numbers = [number for number, is_empty in enumerate(views.empty()) if not is_empty]
+    if layout.view_bytes < MIN_THREADED_BYTES:
+        return {number: chunk(number) for number in numbers}
+    from nearfar._base import side_by_side  # imported here: its threads import `logging`
+
     return dict(zip(numbers, side_by_side.results([partial(chunk, number) for number in numbers]), strict=True))
 
 
