@@ -25,7 +25,7 @@ EVERYWHERE = np.array([[-np.inf] * 3, [np.inf] * 3])
 def scene_and_folder(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> tuple[nf.Scene, Path]:
     scene = soup(request.param)
     folder = tmp_path_factory.mktemp("written") / "tiles"
-    nf.write_tiles(scene, folder, cell=3)
+    nf.write_tiles(scene, folder, cell=5)
     return scene, folder
 
 
@@ -108,7 +108,7 @@ def test_the_cache_is_bounded_and_changes_nothing(scene_and_folder: tuple[nf.Sce
     scene, folder = scene_and_folder
     source = open_tiles(folder, cache_bytes=most)
     middle = np.rint(scene.bounds.mean(axis=0))
-    for box in BOXES:
+    for box in (BOXES[0], BOXES[5], BOXES[0]):
         aabb = np.asarray(box, np.float64) + middle
         assert np.array_equal(rows(source.query(aabb)), rows(scene.query(aabb)))
         assert source.cached_bytes <= most
