@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import fnmatch
 import functools
-from fnmatch import fnmatchcase
+import re
+from collections.abc import Callable
 
 
 @functools.cache
@@ -12,6 +14,14 @@ def match_length(name: str, patterns: str) -> int:
 
     A pattern without a full stop is the name of a parameter.
     """
+    plain, dotted = _parsed(patterns)
     parameter = name.rpartition(".")[2]
-    found = (text for text in patterns.split() if text == parameter or ("." in text and fnmatchcase(name, text)))
-    return max(map(len, found), default=0)
+    return max([len(parameter) * (parameter in plain), *(length for length, matches in dotted if matches(name))])
+
+
+@functools.cache
+def _parsed(patterns: str) -> tuple[frozenset[str], list[tuple[int, Callable[[str], object]]]]:
+    """Return the names of parameters, and the lengths and tests of the other patterns."""
+    parts = patterns.split()
+    dotted = [(len(text), re.compile(fnmatch.translate(text)).match) for text in parts if "." in text]
+    return frozenset(parts), dotted
