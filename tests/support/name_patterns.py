@@ -5,7 +5,6 @@ from __future__ import annotations
 import fnmatch
 import functools
 import re
-from collections.abc import Callable
 
 
 @functools.cache
@@ -16,12 +15,12 @@ def match_length(name: str, patterns: str) -> int:
     """
     plain, dotted = _parsed(patterns)
     parameter = name.rpartition(".")[2]
-    return max([len(parameter) * (parameter in plain), *(length for length, matches in dotted if matches(name))])
+    return max([len(parameter) * (parameter in plain), *(length for length, pattern in dotted if pattern.match(name))])
 
 
 @functools.cache
-def _parsed(patterns: str) -> tuple[frozenset[str], list[tuple[int, Callable[[str], object]]]]:
-    """Return the names of parameters, and the lengths and tests of the other patterns."""
+def _parsed(patterns: str) -> tuple[frozenset[str], list[tuple[int, re.Pattern[str]]]]:
+    """Return the names of parameters, and the other patterns with their lengths."""
     parts = patterns.split()
-    dotted = [(len(text), re.compile(fnmatch.translate(text)).match) for text in parts if "." in text]
+    dotted = [(len(text), re.compile(fnmatch.translate(text))) for text in parts if "." in text]
     return frozenset(parts), dotted
