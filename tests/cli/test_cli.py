@@ -15,9 +15,11 @@ import trimesh
 from numpy.typing import NDArray
 from PIL import Image
 
+import nearfar as nf
 from nearfar._trace import viewpoint
 from nearfar.cli._options import read_point
 from nearfar.cli._output import metres
+from nearfar.cli._users import choose_users
 from tests.support import need
 from tests.support.cli_cases import city as city, command, document
 
@@ -114,6 +116,15 @@ def test_demo_does_the_whole_job(city: Path, tmp_path: Path, capsys: pytest.Capt
     assert pixels(folder / "load_curve.png").std() > 5.0
 
 
+def test_users_of_a_report_have_pictures_of_its_size_within_limits(city: Path) -> None:
+    scene = nf.Scene.load(city)
+    # SSIM needs 11 pixels in each direction.
+    sizes = {(960, 600): (480, 300), (96, 64): (96, 64), (4800, 50): (1056, 11), (8, 8): (11, 11)}
+    for pixels, size in sizes.items():
+        users = choose_users(scene, (0.0, 1.7, 0.0), 5.0, pixels)
+        assert {camera.size for _, camera in users} == {size}
+
+
 @pytest.mark.parametrize(
     ("arguments", "status", "words"),
     [
@@ -167,8 +178,6 @@ def test_the_command_line_imports_lazily() -> None:
 
 
 def test_the_chosen_place_is_open_ground(city: Path) -> None:
-    import nearfar as nf
-
     scene = nf.Scene.load(city)
     place = viewpoint.find(scene)
     # Rays start 25 m up, with float32 distances; a centimetre is irrelevant for a viewpoint.

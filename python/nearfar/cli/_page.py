@@ -178,12 +178,12 @@ def caption(picture: NDArray[np.uint8], text: str) -> NDArray[np.uint8]:
     return np.asarray(canvas)
 
 
-def make_plot(height: float) -> tuple[Figure, Axes]:
+def make_plot(height: float, *, right: float = 0.98) -> tuple[Figure, Axes]:
     """Make a plot 7 by `height` inches with fixed margins: fitting them takes longer than drawing."""
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(7.0, height))
-    figure.subplots_adjust(left=0.11, right=0.98, bottom=0.54 / height, top=1.0 - 0.12 / height)
+    figure.subplots_adjust(left=0.11, right=right, bottom=0.54 / height, top=1.0 - 0.12 / height)
     return figure, figure.subplots()
 
 
@@ -191,7 +191,7 @@ def save_curve(folder: Path, curve: nf.LoadCurve, r2: float) -> bool:
     """Plot the load curve with r2 marked; return False if matplotlib is not installed."""
     if not importlib.util.find_spec("matplotlib"):
         return False
-    figure, axes = make_plot(4.5)
+    figure, axes = make_plot(4.5, right=0.88)
     curve.plot(axes)
     axes.axvline(r2, color="0.5", linestyle=":", label=f"$r_2$ = {r2:g} m")
     axes.legend(loc="upper left", fontsize="small")
