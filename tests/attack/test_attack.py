@@ -16,7 +16,7 @@ from tests.support import need
 
 SEED = int(os.environ.get("NEARFAR_ATTACK_SEED", "19"))
 
-CASES = 40
+CASES = 20
 """Number of cases of a kind with share 1."""
 
 GROUPS = ("scene gl", "scene obj", "scene ", "saved ", "arguments", "interrupts", "")

@@ -116,10 +116,9 @@ def test_pixels_show_scene_points_where_they_are(texels: Texels, impostors: nf.I
     quad = texels.quads.owners[texels.triangles(places + 0.5)[0]].astype(np.int64)
     local = places - texels.quads.rectangles[quad, :2] + draw.uniform(0.0, 1.0, (len(places), 2))
     points = baked_points(texels, quad, local)
-    low, high = np.subtract(texels.far.bounds, impostors.center)
-    assert (
-        np.isfinite(points).all(axis=1) & (points > low - 2.0).all(axis=1) & (points < high + 2.0).all(axis=1)
-    ).all()
+    # Seen from 1.7 m above, a texel at the ground's border is 100 m long; planes may reach a tenth of it beyond.
+    low, high = np.subtract(texels.far.bounds, impostors.center) + np.array([[-10.0], [10.0]])
+    assert (np.isfinite(points) & (points > low) & (points < high)).all()
     assert (np.hypot(points[:, 0], points[:, 2]) > impostors.r2 - 1.0).all()
 
 

@@ -185,3 +185,13 @@ quads = baked._quads
 print([hashlib.sha256(getattr(quads, name).tobytes()).hexdigest() for name in ("vertices", "uvs", "faces", "atlas")])
 """
     assert len(printed_by_threads(code, "12")) == 1
+
+
+def test_triangles_between_the_rays_of_the_probes_stay() -> None:
+    ball = trimesh.creation.icosphere(5, 0.5)
+    ball.apply_translation((0.0, 0.0, -3.0))
+    wall = trimesh.creation.box((40.0, 40.0, 0.1)).apply_translation((0.0, 0.0, -30.0))
+    scene = nf.Scene.from_trimesh(trimesh.util.concatenate([ball, wall]))
+    found = nf.reduce(scene, center=(0, 0, 0), r2=10, far="impostors", reach=1, face_size=64)
+    assert found.stats["changed"] == 0
+    assert 0.5 < found.near.triangle_count / len(ball.faces) < 0.7  # half of the ball, and what users beside O see

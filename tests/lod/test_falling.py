@@ -90,7 +90,11 @@ def test_a_duck_never_gets_finer_with_distance(tmp_path: Path, monkeypatch: pyte
     path = data("objects/gltf/Duck.glb")
     need("fast_simplification")
     monkeypatch.setenv("NEARFAR_CACHE", str(tmp_path / "cache"))
-    duck = nf.lod.measure(nf.lod.simplify(path), hmd=nf.hmd.QUEST_2, standard_error=0.05, samples=1, backend="cpu")
+    view: dict[str, Any] = {"fov": nf.hmd.QUEST_2.left.fov, "size": (458, 480)}
+    duck = nf.lod.measure(nf.lod.simplify(path), **view, standard_error=0.05, samples=1, backend="cpu")
+    assert duck.samples is not None
+    coarsest = duck.samples.score[-1]
+    assert coarsest.min() < coarsest[-1] - 0.05  # it rises again
     found = select_over_distance(replace(duck, pixel=None))
     assert (np.diff(found.level) >= 0).all()
     assert found.level[0] < found.level[-1]

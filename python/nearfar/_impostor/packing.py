@@ -23,7 +23,7 @@ ERROR_SHARE = 1.0 / 8.0
 """Greatest error of positions as a share of the quads' error."""
 MAX_ERROR_PX = 0.25
 """Greatest error of positions, pixels: a fraction of the texel by which neighbouring quads overlap."""
-UV_ERROR_TEXELS = 1.0 / 8.0
+UV_ERROR_TEXELS = 3.0 / 16.0
 """Greatest error of texture coordinates, texels of the longer side: with half a texel for the filter less than the
 texel that surrounds each quad."""
 

@@ -49,8 +49,8 @@ class ImpostorSettings:
         Greatest size of the file `light.glb` with its default compression, at least 1; None for no limit. If it is
         larger, `face_size` falls and `error_px` grows, by at most four more bakes; then quads are dropped as above.
     visible
-        True drops near static triangles that no ray of the bake hits. `stats["changed"]` is the share of the pixels of
-        other users within `reach` that this changes.
+        True drops near static triangles that no user sees, as far as the rays of the bake tell. `stats["changed"]` is
+        the share of the pixels of other users within `reach` that this changes.
     """
 
     reach: float | None = None

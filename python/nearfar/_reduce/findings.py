@@ -30,7 +30,7 @@ def of_view(*, crosses: bool, is_measurable: bool = True, fold_margin: float, r2
     if not crosses:
         sentences.append(
             f"the boundary is not in view: the picture shows no surface that crosses r2 = {r2:g} m, so the "
-            "methods hardly differ; look elsewhere or choose another r2"
+            "methods cannot break there; look elsewhere or choose another r2"
         )
     elif not is_measurable:
         sentences.append(

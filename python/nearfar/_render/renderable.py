@@ -31,9 +31,9 @@ class Job(Protocol):
 class Renderable(Protocol):
     """Source of pictures for `nearfar.render` and `nearfar.render_path`.
 
-    `Scene` and `ReducedScene` are renderables. To write another, derive from this protocol and define `origin`,
-    `default_channels` and `trace`, and `begin` for graphics adapters. The other methods have defaults for sources in
-    which nothing moves and nothing has levels of detail.
+    `Scene`, `ReducedScene` and `Impostors` are renderables. To write another, derive from this protocol and define
+    `trace`, and `begin` for graphics adapters. The rest has defaults for sources in world coordinates that have only
+    colours and in which nothing moves and nothing has levels of detail.
     """
 
     @property

@@ -100,7 +100,7 @@ def run(arguments: Sequence[str]) -> int:
     except OSError as error:
         return _print_error(f"{error.filename}: {reason_of(error)}" if error.filename else str(error), 1)
     except (nf.Error, ValueError, ImportError) as error:
-        return _print_error(str(error), 1)
+        return _print_error(str(error).replace("on_invalid='drop'", "--on-invalid drop"), 1)
     return 0
 
 

@@ -66,7 +66,8 @@ def count(value: int) -> str:
 def triangles_text(document: dict[str, Any]) -> str:
     """Format the numbers of triangles before and after a reduction."""
     before, after = document["triangles"], document["triangles_left"]
-    return f"{count(before)} → {count(after)}" + (", no reduction" if before == after else "")
+    word = ", no reduction" if before == after else ", hardly a reduction" if after > 0.9 * before else ""
+    return f"{count(before)} → {count(after)}{word}"
 
 
 def note_rows(document: dict[str, Any]) -> list[tuple[str, str]]:

@@ -194,7 +194,7 @@ def save_curve(folder: Path, curve: nf.LoadCurve, r2: float) -> bool:
     figure, axes = make_plot(4.5, right=0.88)
     curve.plot(axes)
     axes.axvline(r2, color="0.5", linestyle=":", label=f"$r_2$ = {r2:g} m")
-    axes.legend(loc="upper left", fontsize="small")
+    axes.legend(loc="best", fontsize="small")
     figure.savefig(folder / "load_curve.png", dpi=130)
     return True
 

@@ -247,6 +247,7 @@ def _markdown(document: dict[str, Any]) -> str:
         for name, value in document["pictures"].items()
     ]
     notes = "".join(f"- {note}\n" for note in document["notes"])
+    equal = sum(_users.equal_views(document))
     return _page.fill(
         "reduce.md",
         source=document["source"],
@@ -261,6 +262,7 @@ def _markdown(document: dict[str, Any]) -> str:
         notes=f"\nNot drawn as in the file:\n\n{notes}" if notes else "",
         generator=document["generator"],
         **reduction_texts(document) | {"far": _far_text(document)},
+        equal=f" ({equal} of them, for whom a picture equals the truth, are left out of the means)" if equal else "",
         users=_page.table(*rows) + "\n\n" if (rows := _users.rows(document)) else "",
         users_plot="![PSNR against the user's distance](users.png)\n\n" if "users.png" in document["files"] else "",
     )
@@ -281,8 +283,8 @@ def _published_text(document: dict[str, Any]) -> str:
     if "published" not in document["pictures"]:
         return ""
     r1, published_r1 = document["r1"], default_radii.PUBLISHED * document["r2"]
-    ratio = f"The last picture has r1 = {published_r1:g} m, the published ratio to r2"
-    return f"{ratio}: it shears the ground more than {r1:g} m.\n\n"
+    picture = f"The last picture of side_by_side.png has r1 = {published_r1:g} m, the published ratio to r2"
+    return f"{picture}. It shears the ground more than the one with r1 = {r1:g} m.\n\n"
 
 
 def _rows(document: dict[str, Any], output: Path) -> list[tuple[str, str]]:

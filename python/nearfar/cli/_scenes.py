@@ -112,9 +112,14 @@ def open_scene(text: str, loading: nf.LoadOptions) -> nf.Scene:
         return procedural.query(MIDDLE) if isinstance(procedural, nf.datasets.World) else procedural
     if Path(text).is_dir():
         kind = "a reduced scene" if is_reduced(text) else f"no {folder.DOCUMENT}"
-        if all((Path(text) / name).is_file() for name in ("manifest.json", "tileset.json")):
+        has_tileset, has_manifest = ((Path(text) / name).is_file() for name in ("tileset.json", "manifest.json"))
+        if has_tileset and has_manifest:
             kind = "a bundle, which nearfar.stream.open reads"
+        elif has_tileset:
+            return open_scene(str(Path(text) / "tileset.json"), loading)
         raise ValueError(f"{text}: expected a scene file, got a folder with {kind}")
+    if not Path(text).exists() and (similar := difflib.get_close_matches(text.partition(":")[0], PROCEDURAL, 1)):
+        raise ValueError(f"{text}: there is no such file (did you mean {similar[0]}?)")
     scene = nf.Scene.load(text, loading)
     if scene.report.unit_note:
         typer.echo(f"nearfar: {text}: {scene.report.unit_note}", err=True)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib.util
 import math
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -25,6 +26,8 @@ MIN_SIDE = 11
 _TRIES = 60
 _GOLDEN = math.pi * (3.0 - math.sqrt(5.0))
 """Golden angle: its multiples are spread evenly in all directions."""
+_LEAST_SHOWN, _COARSE = 0.05, 32
+"""Least share of a picture that shows surfaces, and the width in pixels of the picture that tells."""
 _CLEARANCE = 0.5
 """Least distance of a user from a surface that the centre sees behind the user, metres."""
 
@@ -34,8 +37,9 @@ def choose_users(
 ) -> list[tuple[float, nf.Camera]]:
     """Choose users all around a centre at equal steps of distance up to `reach`, each with the distance.
 
-    They look at right angles to the line from the centre, in pictures of `pixels`, but at most `WIDTH` wide. Directions
-    in which a surface is in the way are skipped, so there may be fewer than `COUNT`.
+    They look at right angles to the line from the centre or, where little is in view there, towards the middle of the
+    scene, in pictures of `pixels`, but at most `WIDTH` wide. Directions in which a surface is in the way are skipped,
+    so there may be fewer than `COUNT`.
     """
     turns = _GOLDEN * np.arange(_TRIES)
     outwards = np.column_stack([np.cos(turns), np.zeros(_TRIES), np.sin(turns)])
@@ -49,8 +53,19 @@ def choose_users(
             eye = np.add(center, distance * outward)
             side = -1.0 if len(users) % 2 else 1.0
             sideways = np.array([-math.sin(turn) * side, -0.02, math.cos(turn) * side])
-            users.append((distance, nf.Camera.look_at(eye, eye + sideways, fov=fov, size=size)))
+            camera = nf.Camera.look_at(eye, eye + sideways, fov=fov, size=size)
+            middle = scene.bounds.mean(axis=0)
+            if _shown_share(scene, camera) < _LEAST_SHOWN and (middle != eye).any():
+                camera = nf.Camera.look_at(eye, middle, fov=fov, size=size)
+            users.append((distance, camera))
     return users
+
+
+def _shown_share(scene: nf.Scene, camera: nf.Camera) -> float:
+    """Return the share of a picture that shows surfaces."""
+    width, height = camera.size
+    coarse = replace(camera, size=(_COARSE, max(round(_COARSE * height / width), 1)))
+    return float(np.isfinite(nf.render(scene, coarse, channels=("range",)).require("range")).mean())
 
 
 def measure(
@@ -74,21 +89,20 @@ def measure(
 
 
 def rows(document: dict[str, Any]) -> list[list[str]]:
-    """Return a table of the means and worst values of all users, header first."""
+    """Return a table of the means and worst values, header first; means leave out the `equal_views`."""
     users = document["users"]
     if not users["distances"]:
         return []
     header = ["method", "PSNR, dB", "worst", "SSIM", "worst", "missing pixels", "triangles", "bytes"]
     lines = [header]
+    is_equal = equal_views(document)
     for name, values in users["methods"].items():
-        psnr = [value for value in values["psnr"] if value is not None]
-        equal_count = len(values["psnr"]) - len(psnr)
-        note = f" ({equal_count} equal)" if equal_count and psnr else ""
+        psnr = [value for value, equal in zip(values["psnr"], is_equal, strict=True) if not equal]
         size = document["sizes"][name]
         lines.append(
             [
                 name,
-                f"{np.mean(psnr):.1f}{note}" if psnr else "all equal",
+                f"{np.mean(psnr):.1f}" if psnr else "all equal",
                 f"{min(psnr):.1f}" if psnr else "all equal",
                 f"{np.mean(values['ssim']):.3f}",
                 f"{min(values['ssim']):.3f}",
@@ -100,6 +114,13 @@ def rows(document: dict[str, Any]) -> list[list[str]]:
     return lines
 
 
+def equal_views(document: dict[str, Any]) -> list[bool]:
+    """Return for each user whether a method's picture equals the truth: mostly views of the background alone."""
+    return [
+        None in psnr for psnr in zip(*(each["psnr"] for each in document["users"]["methods"].values()), strict=True)
+    ]
+
+
 def plot(path: Path, users: dict[str, Any]) -> bool:
     """Plot PSNR of each method against the user's distance from O; return False without users or matplotlib."""
     if not users["distances"] or not importlib.util.find_spec("matplotlib"):
@@ -107,7 +128,7 @@ def plot(path: Path, users: dict[str, Any]) -> bool:
     figure, axes = _page.make_plot(4.5)
     for name, values in users["methods"].items():
         psnr = [math.nan if value is None else value for value in values["psnr"]]
-        axes.plot(users["distances"], psnr, marker="o", label=name)
+        axes.plot(users["distances"], psnr, marker="o", linestyle="", label=name)
     axes.set(xlabel="distance of the user from O in metres", ylabel="PSNR against the truth, dB", xlim=(0.0, None))
     axes.grid(alpha=0.3)
     axes.legend()

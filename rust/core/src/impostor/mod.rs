@@ -13,6 +13,7 @@ mod paint;
 mod plane;
 mod probe;
 mod sample;
+mod small;
 mod strips;
 #[cfg(test)]
 mod tests;
@@ -66,7 +67,7 @@ pub struct Impostors {
     pub layers: Vec<([f64; 3], usize)>,
     /// Share of the probes' pixels missing before each layer was chosen, and at the end.
     pub missing: Vec<f64>,
-    /// Numbers of the static triangles that are not far as a whole and that a ray from the region hit, ascending.
+    /// Numbers of the static triangles that are not far as a whole and that users of the region see, ascending.
     pub seen: Vec<i64>,
 }
 
@@ -127,6 +128,7 @@ pub fn bake(scene: &Scene, settings: &Settings, progress: &Progress) -> Result<I
         let Some(worst) = others.max_by_key(|&n| (missing[n], std::cmp::Reverse(n))) else { break };
         baked.add(&world, probes[worst].position, size as usize, &probes, progress)?;
     }
+    small::note_small(&world, &probes, progress)?;
     baked.result.seen = world.seen.numbers().collect();
     baked.result.mesh = atlas::build(&baked.quads, size as usize)?;
     Ok(baked.result)

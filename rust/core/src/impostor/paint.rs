@@ -30,7 +30,7 @@ pub struct Quad {
     pub object: i32,
     /// Columns and rows of cells.
     pub cells: [usize; 2],
-    /// sRGB, and the share of the texel that the surface covers as alpha; rows from the top.
+    /// sRGB, and alpha from the share of the texel that the surface covers; rows from the top.
     pub texels: Vec<[u8; 4]>,
 }
 
@@ -47,8 +47,12 @@ impl Quad {
     }
 }
 
-/// Colour, linear RGB, and share of a texel that its surface covers, 0 to 1.
-type Painted = ([f32; 3], f32);
+/// Alpha of texels of which the surface covers less than 1/8, 1/2 and 7/8, and of others. WebP stores alpha without loss:
+/// with 17 steps a picture of the city has 0.04 dB more, and the atlas takes 10 % more bytes.
+const ALPHAS: [u8; 4] = [0, 64, 192, 255];
+
+/// Linear RGB and alpha of a texel.
+type Painted = ([f32; 3], u8);
 
 /// Paints a cover of a tile. Its texels have the mean colour of the samples on the plane. Texels beside them overlap
 /// neighbouring quads where the plane lies on or behind what is seen there; elsewhere they have the share of the texel
@@ -63,7 +67,7 @@ pub fn paint(world: &World<'_>, center: DVec3, tile: &Tile, cover: &Cover) -> Qu
     let mut rectangle = [left, top, right, bottom];
     for row in top - 1..=bottom {
         for column in left - 1..=right {
-            if shown[slot(column, row)].is_some_and(|(_, alpha)| alpha > 0.0) {
+            if shown[slot(column, row)].is_some_and(|(_, alpha)| alpha > 0) {
                 rectangle = [
                     rectangle[0].min(column),
                     rectangle[1].min(row),
@@ -76,9 +80,9 @@ pub fn paint(world: &World<'_>, center: DVec3, tile: &Tile, cover: &Cover) -> Qu
     let [left, top, right, bottom] = rectangle;
     let inside = (top..bottom).flat_map(|row| (left..right).map(move |column| (column, row)));
     let texels = inside.map(|(column, row)| {
-        let (color, alpha) = shown[slot(column, row)].unwrap_or((mean, 0.0));
+        let (color, alpha) = shown[slot(column, row)].unwrap_or((mean, 0));
         let [r, g, b] = color.map(srgb_from_linear);
-        [r, g, b, (alpha * 255.0).round() as u8]
+        [r, g, b, alpha]
     });
     let cells = cells(&cover.plane, tile, rectangle);
     let object = object_of_most(world, tile, cover);
@@ -141,9 +145,10 @@ impl Samples {
         (self.on > 0).then(|| self.sum.map(|x| x / self.on as f32))
     }
 
-    /// Returns the share that does not see past the plane.
-    fn share(&self) -> f32 {
-        1.0 - self.beyond as f32 / SAMPLES as f32
+    /// Returns the alpha of the share that does not see past the plane.
+    fn alpha(&self) -> u8 {
+        let covered = SAMPLES - self.beyond;
+        ALPHAS[[1, 4, 7].iter().filter(|&&eighths| 8 * covered >= eighths * SAMPLES).count()]
     }
 }
 
@@ -168,7 +173,7 @@ impl Painter<'_> {
                 let ray = self.tile.ray(self.center, x as f64 + 0.5, y as f64 + 0.5);
                 self.color(&ray, &self.tile.texel(x, y).hit, self.secant(x as f64 + 0.5, y as f64 + 0.5))
             });
-            self.shown[slot(x, y)] = Some((color, samples.share()));
+            self.shown[slot(x, y)] = Some((color, samples.alpha()));
         }
     }
 
@@ -190,8 +195,8 @@ impl Painter<'_> {
             let color = samples.color().or_else(|| average(shown())).unwrap_or_default();
             let w = self.w(x as f64 + 0.5, y as f64 + 0.5);
             let is_behind = w > 0.0 && w <= self.tile.texel(x, y).w * (1.0 + 1e-6);
-            let share = if samples.on > 0 { samples.share() } else { 0.0 };
-            (color, if is_behind { 1.0 } else { share })
+            let alpha = if samples.on > 0 { samples.alpha() } else { 0 };
+            (color, if is_behind { u8::MAX } else { alpha })
         });
         let painted: Vec<Painted> = painted.collect();
         for ((x, y, _), painted) in beside.into_iter().zip(painted) {

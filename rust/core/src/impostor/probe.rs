@@ -65,6 +65,11 @@ impl Probe {
         self.distances.par_chunks(TASK).enumerate().map(|(task, distances)| count(task, distances)).sum()
     }
 
+    /// Returns the width of the map's faces, texels.
+    pub fn width(&self) -> u32 {
+        self.size
+    }
+
     /// Returns the number of texels.
     pub fn texels(&self) -> usize {
         self.distances.len()

@@ -15,7 +15,7 @@ use crate::base::{FaceMap, Progress};
 use crate::camera::{direction_from_face, face_from_direction};
 use crate::partition::Partition;
 use crate::scene::{Instance, Mesh, Scene};
-use crate::trace::{All, Hit, closest_hits};
+use crate::trace::{AcceptAll, Hit, closest_hits};
 
 const R2: f64 = 20.0;
 const REACH: f64 = 4.0;
@@ -136,7 +136,7 @@ proptest! {
         for (texel, &count) in shown.iter().enumerate() {
             let ray = tile.ray(center, (texel % SIDE) as f64 + 0.5, (texel / SIDE) as f64 + 0.5);
             let mut hits = [Hit::MISS];
-            closest_hits(&scene, &[ray], &All, &mut hits);
+            closest_hits(&scene, &[ray], &AcceptAll, &mut hits);
             prop_assert_eq!(count, u32::from(world.is_far(&hits[0])));
         }
     }

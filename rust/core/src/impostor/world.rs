@@ -9,7 +9,7 @@ use crate::base::Result;
 use crate::base::memory::try_with_capacity;
 use crate::partition::{Partition, Zone};
 use crate::scene::Scene;
-use crate::trace::{All, AlphaFilter, FaceHits, Hit, HitFilter, Ray, closest_hits};
+use crate::trace::{AcceptAll, AlphaFilter, FaceHits, Hit, HitFilter, Ray, closest_hits};
 
 /// Filter for triangles that are far as a whole; all others are drawn as geometry.
 pub struct FarOnly<'a>(pub &'a Partition);
@@ -32,7 +32,7 @@ pub struct World<'a> {
     pub reach: f64,
     /// Greatest error, radians.
     pub angle: f64,
-    /// Near triangles that a ray from the region hit.
+    /// Near triangles that users of the region see.
     pub seen: Seen,
 }
 
@@ -50,8 +50,11 @@ impl Seen {
 
     /// Returns the numbers in ascending order.
     pub fn numbers(&self) -> impl Iterator<Item = i64> {
-        let is_set = |n: &usize| self.0[n / 64].load(Ordering::Relaxed) >> (n % 64) & 1 == 1;
-        (0..64 * self.0.len()).filter(is_set).map(|n| n as i64)
+        (0..64 * self.0.len() as i64).filter(|&n| self.contains(n))
+    }
+
+    fn contains(&self, number: i64) -> bool {
+        self.0[number as usize / 64].load(Ordering::Relaxed) >> (number % 64) & 1 == 1
     }
 
     fn insert(&self, number: i64) {
@@ -68,7 +71,7 @@ impl World<'_> {
         if far_only {
             closest_hits(self.scene, rays, &AlphaFilter::new(self.scene, FarOnly(self.partition)), hits);
         } else {
-            closest_hits(self.scene, rays, &AlphaFilter::new(self.scene, All), hits);
+            closest_hits(self.scene, rays, &AlphaFilter::new(self.scene, AcceptAll), hits);
         }
     }
 
@@ -81,9 +84,19 @@ impl World<'_> {
     pub fn note(&self, hit: &Hit) -> bool {
         let is_far = self.is_far(hit);
         if !is_far && !hit.is_miss() {
-            self.seen.insert(self.scene.triangle_offset(hit.instance) + i64::from(hit.face));
+            self.insert(hit.instance, hit.face);
         }
         is_far
+    }
+
+    /// Notes a near triangle as seen.
+    pub fn insert(&self, instance: u32, face: u32) {
+        self.seen.insert(self.scene.triangle_offset(instance) + i64::from(face));
+    }
+
+    /// Returns whether a near triangle was noted as seen.
+    pub fn is_noted(&self, instance: u32, face: u32) -> bool {
+        self.seen.contains(self.scene.triangle_offset(instance) + i64::from(face))
     }
 
     /// Returns the bound of a layer baked from a centre.

@@ -13,7 +13,7 @@ use crate::base::memory::room_for;
 use crate::base::{Progress, Result};
 use crate::render::{Limits, Segment};
 use crate::scene::Scene;
-use crate::trace::{All, AlphaFilter, Ray, any_hits};
+use crate::trace::{AcceptAll, AlphaFilter, Ray, any_hits};
 
 /// Method that finds the surfaces of a leaf.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -161,7 +161,7 @@ impl<'a> Lines<'a> {
         let Segment { t_max, .. } = self.limits.clip_ray(point, line);
         let ray = Ray { origin: point.as_vec3(), direction: line.as_vec3(), t_min: distance as f32, t_max };
         let mut is_hit = [false];
-        any_hits(self.scene, &[ray], &AlphaFilter::new(self.scene, All), &mut is_hit);
+        any_hits(self.scene, &[ray], &AlphaFilter::new(self.scene, AcceptAll), &mut is_hit);
         !is_hit[0]
     }
 }

@@ -13,7 +13,7 @@ use crate::base::mapped::set_bits;
 use crate::base::memory::try_extend;
 use crate::base::{Progress, Result, ensure};
 use crate::scene::Scene;
-use crate::trace::{All, Hit, Layer, LayerHits, Ray, closest_hits_by_layer};
+use crate::trace::{AcceptAll, Hit, Layer, LayerHits, Ray, closest_hits_by_layer};
 
 /// Maps of all rings.
 #[derive(Debug)]
@@ -49,7 +49,7 @@ pub fn bake_rings(scene: &Scene, settings: &Bake, rings: &[u16], count: u16, pro
     for face in 0..6 {
         let camera = settings.camera(face)?;
         let view = settings.view(scene, &camera);
-        let truth = Truth { scene, filter: &All };
+        let truth = Truth { scene, filter: &AcceptAll };
         let baker = Baker { truth, layers, caster: Caster::new(&view)?, channels: view.channels };
         let mut frame = Frame::new(view.channels, settings.texels())?;
         let bands =

@@ -12,7 +12,7 @@ use crate::base::{Progress, Result, ensure, memory::try_vec};
 use crate::camera::Camera;
 use crate::scene::Scene;
 use crate::scene::srgb::srgb_from_linear;
-use crate::trace::{All, AlphaFilter, Hit, any_hits, beam_touches, closest_hits, closest_hits_apart};
+use crate::trace::{AcceptAll, AlphaFilter, Hit, any_hits, beam_touches, closest_hits, closest_hits_apart};
 
 /// Number of rays traced together.
 const PACKET: usize = 64;
@@ -60,7 +60,7 @@ impl<'a> SurroundingViews<'a> {
     /// Returns whether each pixel's centre shows the scene, picture by picture and row by row.
     pub fn silhouettes(&self, progress: &Progress) -> Result<Vec<bool>> {
         let (scene, block) = (self.scene, [TILE, TILE]);
-        let filter = &AlphaFilter::new(scene, All);
+        let filter = &AlphaFilter::new(scene, AcceptAll);
         let is_crowded = self.is_crowded(block);
         let order = pixel_order(block);
         self.bands(progress, |view, _, first_row, shown| {
@@ -102,7 +102,7 @@ impl<'a> SurroundingViews<'a> {
         check_samples(settings.samples)?;
         let expected = format!("{} pixels", self.pixel_count());
         ensure!(shown.len() == self.pixel_count(), "shown", expected, shown.len());
-        let filter = &AlphaFilter::new(self.scene, All);
+        let filter = &AlphaFilter::new(self.scene, AcceptAll);
         let samples = settings.samples as usize;
         let (offsets, block) = (sample_offsets(settings.samples), block_size(samples));
         let (scale, sample_weight) = (1.0 / f64::from(settings.samples).sqrt(), 1.0 / settings.samples as f32);

@@ -8,7 +8,7 @@ use super::tiles::{Picture, Pixels, RayPixels, RenderView, draw};
 use crate::base::{Progress, Result};
 use crate::camera::{Camera, Footprint};
 use crate::scene::Scene;
-use crate::trace::{All, AlphaFilter, Hit, HitFilter, Ray, closest_hits};
+use crate::trace::{AcceptAll, AlphaFilter, Hit, HitFilter, Ray, closest_hits};
 
 /// Renders a scene. Range is the distance from the camera or, for parallel rays, from the image plane.
 pub fn render(
@@ -22,7 +22,7 @@ pub fn render(
 ) -> Result<Frame> {
     scene.build_to_shade(progress)?;
     let view = RenderView { camera, origin: scene.origin, channels, samples, limits, pixels };
-    draw(&view, &Truth { scene, filter: &AlphaFilter::new(scene, All) }, progress)
+    draw(&view, &Truth { scene, filter: &AlphaFilter::new(scene, AcceptAll) }, progress)
 }
 
 /// A scene along straight rays: the surfaces that a filter accepts, in front of the sky.

@@ -15,7 +15,7 @@ use crate::render::frame::{Channels, Frame, Sample};
 use crate::render::tiles::{PIXELS, Picture, RayPixels, RenderView, draw};
 use crate::render::truth::Truth;
 use crate::scene::Scene;
-use crate::trace::{All, AlphaFilter, Hit, Ray, closest_hits, touches};
+use crate::trace::{AcceptAll, AlphaFilter, Hit, Ray, closest_hits, touches};
 
 /// Relative lengthening of each leg, so that rounding leaves no gap to the next one.
 const OVERLAP: f32 = 1e-5;
@@ -41,7 +41,7 @@ impl Rig {
         let (axes, depths) = (Axes::new(self, scene.origin, head), self.leg_depths(head.far)?);
         let pixels = self.pixels_per_tangent(side).min_element();
         let max_tangent = self.max_error(self.planes.end, Axis::Both)? / pixels;
-        let truth = Truth { scene, filter: &AlphaFilter::new(scene, All) };
+        let truth = Truth { scene, filter: &AlphaFilter::new(scene, AcceptAll) };
         draw(view, &Zone { rig: self, side, axes, depths, max_tangent, truth }, progress)
     }
 

@@ -4,7 +4,7 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::dispatch::closest_hits;
-use super::ray::{All, AlphaFilter, Hit, Ray};
+use super::ray::{AcceptAll, AlphaFilter, Hit, Ray};
 use crate::base::memory::try_vec;
 use crate::base::{Error, MAX_COORDINATE, Progress, Result, ensure};
 use crate::scene::Scene;
@@ -95,7 +95,7 @@ pub fn cast(
         let direction = unit(directions.get(row)).as_vec3();
         Ray { origin: (origin - scene.origin).as_vec3(), direction, t_min: 0.0, t_max }
     };
-    let filter = AlphaFilter::new(scene, All);
+    let filter = AlphaFilter::new(scene, AcceptAll);
     let mut hits = Hits {
         t_hit: try_vec(0.0, count)?,
         triangle_index: try_vec(0, count)?,

@@ -6,7 +6,7 @@ use super::beam::{self, Query};
 use super::lanes::{Avx2, Avx512};
 use super::lanes::{InstructionSet, Isa, Portable};
 use super::packet::{MIN_PACKET, Packet, RAYS};
-use super::ray::{All, Hit, HitFilter, Ray};
+use super::ray::{AcceptAll, Hit, HitFilter, Ray};
 use super::single::{self, Local, Search};
 use crate::base::{Aabb, Progress, Result};
 use crate::bvh::Tlas;
@@ -88,7 +88,7 @@ pub fn closest_hits_by_layer(scene: &Scene, rays: &[Ray], layers: &[Layer<'_>], 
 /// Returns false if no ray between four corner rays from one origin can hit anything. Near misses may return true.
 pub fn beam_touches(scene: &Scene, corners: &[Ray; 4]) -> bool {
     let mut touched = [true];
-    beam_touches_with(InstructionSet::current(), scene, corners, &All, &mut touched);
+    beam_touches_with(InstructionSet::current(), scene, corners, &AcceptAll, &mut touched);
     touched[0]
 }
 

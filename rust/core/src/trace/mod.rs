@@ -22,5 +22,5 @@ pub use dispatch::{
 };
 pub use lanes::{instruction_sets, use_instruction_set};
 pub use nearest::{Nearest, nearest};
-pub use ray::{All, AlphaFilter, FaceHits, Hit, HitFilter, Ray};
+pub use ray::{AcceptAll, AlphaFilter, FaceHits, Hit, HitFilter, Ray};
 pub use region::touches;

@@ -81,9 +81,9 @@ pub trait HitFilter: Sync {
 }
 
 /// Filter that accepts every intersection.
-pub struct All;
+pub struct AcceptAll;
 
-impl HitFilter for All {
+impl HitFilter for AcceptAll {
     fn face_hits(&self, _instance: u32, _face: u32) -> FaceHits {
         FaceHits::All
     }

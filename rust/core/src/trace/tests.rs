@@ -121,7 +121,7 @@ proptest! {
     fn a_soup_agrees_with_the_oracle(triangles in soup(60), rays in prop::collection::vec((point(), direction()), 20)) {
         let scene = scene(vec![(mesh(&triangles), DAffine3::IDENTITY)], vec![]);
         let rays: Vec<Ray> = rays.into_iter().map(|(origin, direction)| ray(origin, direction)).collect();
-        for (ray, found) in rays.iter().zip(trace_all_ways(&scene, &rays, &All)) {
+        for (ray, found) in rays.iter().zip(trace_all_ways(&scene, &rays, &AcceptAll)) {
             let expected = oracle(&triangles, ray);
             // Corners are within 2 m of the origin, with 24 bits; a relative tolerance of 1e-4 allows for slivers.
             match expected {
@@ -150,7 +150,7 @@ proptest! {
         if parity {
             trace_all_ways(&scene, &rays, &EvenFaces);
         } else {
-            trace_all_ways(&scene, &rays, &All);
+            trace_all_ways(&scene, &rays, &AcceptAll);
         }
     }
 
@@ -175,7 +175,7 @@ proptest! {
             .map(|c| [0, 3, 6].map(|i: usize| Vec3::from_slice(&c[i..])))
             .collect();
         let rays = beam(origin * 3.0, toward, 0.4);
-        for (ray, found) in rays.iter().zip(trace_all_ways(&instanced, &rays, &All)) {
+        for (ray, found) in rays.iter().zip(trace_all_ways(&instanced, &rays, &AcceptAll)) {
             // Merging rounds corners once, placement rounds rays twice. So near an edge the ray may hit only one of the
             // two, and only rays clear of all edges are compared.
             let Some((t, face, clear)) = clear_oracle(&merged, ray) else { continue };
@@ -220,7 +220,7 @@ fn clear_oracle(triangles: &[[Vec3; 3]], ray: &Ray) -> Option<(f64, usize, bool)
 fn scenes_without_triangles() {
     let nothing = mesh(&[]);
     for scene in [scene(vec![], vec![]), scene(vec![(nothing, DAffine3::IDENTITY)], vec![])] {
-        let hits = trace_all_ways(&scene, &beam(Vec3::ZERO, Vec3::X, 0.1), &All);
+        let hits = trace_all_ways(&scene, &beam(Vec3::ZERO, Vec3::X, 0.1), &AcceptAll);
         assert!(hits.iter().all(Hit::is_miss));
     }
 }
@@ -234,7 +234,7 @@ fn ties_go_to_the_lowest_instance_and_face() {
         vec![(mesh(&[]), DAffine3::IDENTITY), (Arc::clone(&twice), DAffine3::IDENTITY)],
         vec![(twice, DAffine3::IDENTITY)],
     );
-    for hit in trace_all_ways(&scene, &beam(Vec3::ZERO, Vec3::Z, 0.1), &All) {
+    for hit in trace_all_ways(&scene, &beam(Vec3::ZERO, Vec3::Z, 0.1), &AcceptAll) {
         assert_eq!((hit.instance, hit.face), (1, 0));
     }
 }
@@ -245,7 +245,7 @@ fn segments_end_at_their_limits() {
     let scene = scene(vec![(mesh(&[triangle(1.0), triangle(2.0), triangle(3.0)]), DAffine3::IDENTITY)], vec![]);
     for (t_min, t_max, face) in [(0.0, 9.0, 0), (1.0, 9.0, 0), (1.5, 9.0, 1), (1.5, 2.0, 1), (2.5, 2.75, u32::MAX)] {
         let rays: Vec<Ray> = beam(Vec3::ZERO, Vec3::Z, 0.0).iter().map(|&ray| Ray { t_min, t_max, ..ray }).collect();
-        for hit in trace_all_ways(&scene, &rays, &All) {
+        for hit in trace_all_ways(&scene, &rays, &AcceptAll) {
             assert_eq!(hit.face, face, "{t_min} {t_max}");
         }
     }

@@ -42,9 +42,9 @@ fn begin() -> PyResult<bool> {
 /// that Python calls in `background.run`.
 pub fn short<R: Send>(py: Python<'_>, kernel: impl FnOnce() -> Result<R> + Send) -> PyResult<R> {
     begin()?;
-    py.detach(|| catch_unwind(AssertUnwindSafe(|| pool::install(kernel).and_then(|result| result))))
-        .map_err(|payload| from_panic(payload.as_ref()))?
-        .map_err(to_python)
+    let (mut kernel, mut outcome) = (Some(kernel), None);
+    run(py, &mut || outcome = kernel.take().map(|kernel| catch_unwind(AssertUnwindSafe(kernel))))?;
+    value_of(outcome)
 }
 
 /// Runs a kernel on the pool. Every 50 ms the calling thread polls signals and calls `report(done, total)`. An
@@ -56,42 +56,57 @@ pub fn long<R: Send>(
     kernel: impl FnOnce(&Progress) -> Result<R> + Send,
 ) -> PyResult<R> {
     let progress = Progress::watching_memory(begin()?);
-    let (outcome, exception) = py.detach(|| {
-        let (sender, receiver) = channel();
-        let (progress, mut exception) = (&progress, None);
-        let run = move || {
-            let outcome = catch_unwind(AssertUnwindSafe(|| kernel(progress)));
-            // Sending cannot fail: the receiver waits for the outcome and so outlives this task.
-            let _ = sender.send(outcome);
-        };
-        let outcome = pool::beside(run, || {
-            loop {
-                match receiver.recv_timeout(POLL_INTERVAL) {
-                    Ok(outcome) => break Some(outcome),
-                    Err(RecvTimeoutError::Disconnected) => break None,
-                    Err(RecvTimeoutError::Timeout) if exception.is_none() => {
-                        if let Err(error) = Python::attach(|py| poll(py, report.as_ref(), progress)) {
-                            progress.cancel();
-                            exception = Some(error);
-                        }
-                    }
-                    Err(RecvTimeoutError::Timeout) => {}
-                }
-            }
-        });
-        (outcome, exception)
-    });
-    if let Some(error) = exception {
-        return Err(error);
-    }
-    match outcome.map_err(to_python)? {
-        Some(Ok(Ok(value))) => {
-            poll(py, report.as_ref(), &progress)?;
-            Ok(value)
-        }
-        Some(Ok(Err(error))) => Err(to_python(error)),
+    let (mut kernel, mut outcome) = (Some(kernel), None);
+    let mut work = || outcome = kernel.take().map(|kernel| catch_unwind(AssertUnwindSafe(|| kernel(&progress))));
+    run_watched(py, report.as_ref(), &progress, &mut work)?;
+    let value = value_of(outcome)?;
+    poll(py, report.as_ref(), &progress)?;
+    Ok(value)
+}
+
+/// What becomes of a kernel: its result, or what it panicked with.
+type Outcome<R> = std::thread::Result<Result<R>>;
+
+/// A kernel without its type. The functions that run it would otherwise be compiled for each kernel, which took half of
+/// this crate's compile time.
+type Work<'a> = &'a mut (dyn FnMut() + Send);
+
+fn value_of<R>(outcome: Option<Outcome<R>>) -> PyResult<R> {
+    match outcome {
+        Some(Ok(result)) => result.map_err(to_python),
         Some(Err(payload)) => Err(from_panic(payload.as_ref())),
         None => Err(from_panic(&"a kernel ended without an outcome")),
+    }
+}
+
+fn run(py: Python<'_>, work: Work<'_>) -> PyResult<()> {
+    py.detach(|| pool::install(work)).map_err(to_python)
+}
+
+fn run_watched(py: Python<'_>, report: Option<&Py<PyAny>>, progress: &Progress, work: Work<'_>) -> PyResult<()> {
+    let exception = py.detach(|| {
+        let (sender, receiver) = channel();
+        let run = move || {
+            work();
+            // Sending cannot fail: the receiver waits for the end and so outlives this task.
+            let _ = sender.send(());
+        };
+        let mut exception = None;
+        pool::beside(run, || {
+            while receiver.recv_timeout(POLL_INTERVAL) == Err(RecvTimeoutError::Timeout) {
+                if exception.is_none()
+                    && let Err(error) = Python::attach(|py| poll(py, report, progress))
+                {
+                    progress.cancel();
+                    exception = Some(error);
+                }
+            }
+        })?;
+        Ok(exception)
+    });
+    match exception.map_err(to_python)? {
+        Some(error) => Err(error),
+        None => Ok(()),
     }
 }
 

@@ -12,7 +12,7 @@ use crate::camera::Footprint;
 use crate::cubemap::EnvironmentMap;
 use crate::morph::Morph;
 use crate::scene::Scene;
-use crate::trace::{All, AlphaFilter, Hit, Ray, closest_hits};
+use crate::trace::{AcceptAll, AlphaFilter, Hit, Ray, closest_hits};
 
 /// Relative range by which a fragment may lie behind the map before it counts as hidden. It covers the rounding of half
 /// floats, and the difference over half a texel of a map of 512 texels on a surface at 45°.
@@ -170,5 +170,5 @@ pub(super) fn hit_color(scene: &Scene, ray: &Ray, hit: &Hit, footprint: impl FnO
 
 /// Finds the closest opaque points along rays.
 pub(super) fn closest(scene: &Scene, rays: &[Ray], hits: &mut [Hit]) {
-    closest_hits(scene, rays, &AlphaFilter::new(scene, All), hits);
+    closest_hits(scene, rays, &AlphaFilter::new(scene, AcceptAll), hits);
 }

@@ -6,7 +6,7 @@ use super::super::limits::Segment;
 use super::super::tiles::PIXELS;
 use super::backdrop::Backdrop;
 use crate::scene::Scene;
-use crate::trace::{All, AlphaFilter, Hit, HitFilter, Ray, closest_hits};
+use crate::trace::{AcceptAll, AlphaFilter, Hit, HitFilter, Ray, closest_hits};
 
 /// Placement of moving objects beyond the near part by the conventional method.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -76,7 +76,7 @@ impl Moving {
             let Segment { t_min, t_max } = segment(n);
             Some(Ray { t_min, t_max, ..*ray })
         };
-        self.trace_misses(aim, All, |_, t| t, rays, hits);
+        self.trace_misses(aim, AcceptAll, |_, t| t, rays, hits);
     }
 
     /// Traces the rays that `aim` returns for rays without a hit; `displayed` converts the distance of a hit.
