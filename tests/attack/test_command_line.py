@@ -137,6 +137,7 @@ def flaw(status: int, printed: str, option: str, *, is_usable: bool) -> str | No
     return None
 
 
+@pytest.mark.usefixtures("_made_once")
 def test_every_command_has_a_valid_call(capsys: pytest.CaptureFixture[str]) -> None:
     assert VALID.keys() == COMMANDS.keys()
     for name, arguments in VALID.items():

@@ -58,7 +58,7 @@ def is_taken(call: Call, parameter: str, kinds: frozenset[str], valid: Valid) ->
     """Return whether a parameter accepts a value of these kinds that its annotation does not state."""
     usual = kinds_of(parameters_of(call.name)[parameter][1])
     return any(
-        call.attempt({parameter: value.make()}, begins=False) is None
+        call.caught({parameter: value.make()}, begins=False) is None
         for value in (*hostile_values(valid), *variants(call.arguments.get(parameter)))
         if ("any" in kinds or value.kinds & kinds) and not value.kinds & usual
     )

@@ -15,9 +15,11 @@ import trimesh
 from numpy.typing import NDArray
 from PIL import Image
 
+import nearfar as nf
 from nearfar._trace import viewpoint
 from nearfar.cli._options import read_point
 from nearfar.cli._output import metres
+from nearfar.cli._users import choose_users
 from tests.support import need
 from tests.support.cli_cases import city as city, command, document
 
@@ -91,11 +93,13 @@ def test_render_writes_a_picture(method: str, city: Path, tmp_path: Path, capsys
 
 def test_demo_does_the_whole_job(city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     folder = tmp_path / "demo"
+    # The folder of an earlier run, which is replaced.
+    folder.mkdir()
+    for name in ("reduced.json", "of_an_earlier_run.png"):
+        (folder / name).touch()
     settings = ("--size", "96x64", "--samples", "1", "--face-size", "64", "--json")
-    # The second run replaces the first one's folder.
-    for _ in range(2):
-        status, out, err = command(capsys, "demo", "-i", city, "-o", folder, *settings)
-        assert status == 0, err
+    status, out, err = command(capsys, "demo", "-i", city, "-o", folder, *settings)
+    assert status == 0, err
     report = document(out, "report")
     assert report == json.loads((folder / "report.json").read_text(encoding="utf-8"))
     assert sorted(path.name for path in folder.iterdir()) == sorted(report["files"])
@@ -110,6 +114,15 @@ def test_demo_does_the_whole_job(city: Path, tmp_path: Path, capsys: pytest.Capt
     assert f"{report['triangles']:,} triangles become {report['triangles_left']:,}" in text
     need("matplotlib")
     assert pixels(folder / "load_curve.png").std() > 5.0
+
+
+def test_users_of_a_report_have_pictures_of_its_size_within_limits(city: Path) -> None:
+    scene = nf.Scene.load(city)
+    # SSIM needs 11 pixels in each direction.
+    sizes = {(960, 600): (480, 300), (96, 64): (96, 64), (4800, 50): (1056, 11), (8, 8): (11, 11)}
+    for pixels, size in sizes.items():
+        users = choose_users(scene, (0.0, 1.7, 0.0), 5.0, pixels)
+        assert {camera.size for _, camera in users} == {size}
 
 
 @pytest.mark.parametrize(
@@ -165,8 +178,6 @@ def test_the_command_line_imports_lazily() -> None:
 
 
 def test_the_chosen_place_is_open_ground(city: Path) -> None:
-    import nearfar as nf
-
     scene = nf.Scene.load(city)
     place = viewpoint.find(scene)
     # Rays start 25 m up, with float32 distances; a centimetre is irrelevant for a viewpoint.

@@ -23,6 +23,7 @@ from tests.support.cli_cases import city as city, command
 PLACE = ("--center", "0,1.7,0", "--user", "0,1.7,5", "--target", "90,1,0")
 # Tears are measured at 20 pixels a degree, so that a narrow view is a fast one.
 FAST = ("--size", "192x120", "--samples", "1", "--face-size", "64", "--fov", "45")
+NARROW = (*FAST[:-1], "20")
 WIDE = FAST[:-2]
 
 
@@ -127,7 +128,7 @@ def test_thresholds_set_the_exit_status(
 ) -> None:
     out = tmp_path / "out"
     limits = [word for pair in (kept | failed).items() for word in pair]
-    arguments = (*PLACE, *FAST, "--fov", "20", *limits, "--json", "--exact")
+    arguments = (*PLACE, *NARROW, *limits, "--json", "--exact")
     found, printed, errors = command(capsys, "compare", "-i", city, "-o", out, *arguments)
     document = json.loads(printed)
     assert found == (3 if failed else 0)
@@ -143,7 +144,7 @@ def test_thresholds_that_cannot_be_measured_fail(
     city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     sky = ("--center", "0,1.7,0", "--target", "0,90,1", "--max-boundary-discontinuity", "0.0001")
-    status, printed, errors = command(capsys, "compare", "-i", city, "-o", tmp_path / "out", *FAST, *sky, "--json")
+    status, printed, errors = command(capsys, "compare", "-i", city, "-o", tmp_path / "out", *NARROW, *sky, "--json")
     assert status == 3
     assert "--max-boundary-discontinuity: boundary was not measured, because no pixel of" in errors
     document = json.loads(printed)
@@ -212,7 +213,7 @@ def test_narrow_views_have_small_pictures(city: Path, tmp_path: Path, capsys: py
 
 def test_equal_pictures_pass_a_psnr_threshold(city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     near = ("--center", "0,1.7,0", "--r1", "900", "--r2", "1000", "--user", "0,1.7,0", "--min-psnr", "60")
-    status, printed, _ = command(capsys, "compare", "-i", city, "-o", tmp_path / "out", *FAST, *near, "--json")
+    status, printed, _ = command(capsys, "compare", "-i", city, "-o", tmp_path / "out", *NARROW, *near, "--json")
     document = json.loads(printed)
     assert (status, document["pictures"]["continuous"]["psnr"]) == (0, None)
     assert any("nothing is far" in note for note in document["findings"])

@@ -140,27 +140,14 @@ def test_the_far_map_is_written_as_one_picture(reduced_folder: Path, city: Path,
 def test_small_scenes_are_reduced_by_their_own_size(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     ball = trimesh.creation.icosphere(4, 0.4)
     ball.export(tmp_path / "ball.glb")
-    status, out, err = command(capsys, "reduce", "-i", tmp_path / "ball.glb", "-o", tmp_path / "out", *FAST, "--json")
+    reduce = ("reduce", "-i", tmp_path / "ball.glb", "-o", tmp_path / "out", *FAST)
+    status, out, err = command(capsys, *reduce, "--json")
     assert status == 0, err
     report = document(out, "report")
     assert report["r2"] < 2.0
     assert np.linalg.norm(report["center"]) > 0.4
     assert 0 < report["triangles_left"] < report["triangles"]
-    status, out, err = command(
-        capsys,
-        "reduce",
-        "-i",
-        tmp_path / "ball.glb",
-        "-o",
-        tmp_path / "out",
-        *FAST,
-        "--far",
-        "map",
-        "--r1",
-        "30",
-        "--r2",
-        "50",
-    )
+    status, out, err = command(capsys, *reduce, "--far", "map", "--r1", "30", "--r2", "50")
     assert status == 0, err
     text = " ".join(out.split())
     assert "5,120 → 5,120, no reduction" in text

@@ -125,7 +125,10 @@ def parameter_counts(path: Path) -> Iterator[tuple[str, str, int]]:
     """Yield outer name, own name and number of parameters of each function; self and cls do not count."""
 
     def visit(node: ast.AST, outer: str) -> Iterator[tuple[str, str, int]]:
+        # Expressions contain no functions with names.
         for child in ast.iter_child_nodes(node):
+            if not isinstance(child, ast.stmt | ast.excepthandler | ast.match_case):
+                continue
             name = getattr(child, "name", "")
             if isinstance(child, ast.FunctionDef | ast.AsyncFunctionDef):
                 args = child.args

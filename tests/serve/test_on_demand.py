@@ -123,7 +123,7 @@ def test_other_paths_are_refused(server: Server, path: str, status: int) -> None
 
 
 def test_a_place_that_cannot_be_made_is_reported_in_a_sentence(scene: nf.Scene) -> None:
-    settings = {name: value for name, value in SETTINGS.items() if name != "radii"}
+    settings = {name: value for name, value in QUICK.items() if name != "radii"}
     with Server({"": Site.of_scene(LoadedScene(lambda: scene, **settings), None)}) as server:
         status, _, content = ask(server, "/at/90000,1.75,0/parts")
         assert status == 200

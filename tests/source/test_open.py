@@ -66,9 +66,15 @@ def test_materials_that_blend_are_cut_out(tmp_path: Path, kind: str) -> None:
         assert f"1 material with blending drawn {note}" in part.report.notes
 
 
-def test_folders_of_tiles_open_by_folder_and_by_index(tmp_path: Path) -> None:
-    nf.write_tiles(soup(), tmp_path / "tiles", cell=4)
-    for path in (tmp_path / "tiles", tmp_path / "tiles" / "tiles.json"):
+@pytest.fixture(scope="module")
+def tiles(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("written") / "tiles"
+    nf.write_tiles(soup(), folder, cell=30)
+    return folder
+
+
+def test_folders_of_tiles_open_by_folder_and_by_index(tiles: Path) -> None:
+    for path in (tiles, tiles / "tiles.json"):
         assert isinstance(nf.open_source(path), TileFolder)
 
 
@@ -82,15 +88,13 @@ def test_other_folders_are_refused(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     "given", [{"up": "z"}, {"scale": 2.0}, {"max_bytes": 9}, {"lod": 1}, {"blend": "cutout"}, {"error": 2.0}]
 )
-def test_unsupported_arguments_of_tile_folders_are_refused(tmp_path: Path, given: dict[str, Any]) -> None:
-    nf.write_tiles(soup(), tmp_path / "tiles", cell=8)
+def test_unsupported_arguments_of_tile_folders_are_refused(tiles: Path, given: dict[str, Any]) -> None:
     with pytest.raises(ValueError, match=f"^{next(iter(given))}: expected none"):
-        nf.open_source(tmp_path / "tiles", **given)
+        nf.open_source(tiles, **given)
 
 
-def assert_same_in_another_process(source: nf.SceneSource) -> None:
+def assert_same_in_another_process(source: nf.SceneSource, box: NDArray[np.float64]) -> None:
     """Check that a source gives the same results after pickling, as for cluster workers, and after use."""
-    box = np.array([[-np.inf] * 3, [np.inf] * 3]) if np.isfinite(source.bounds).all() else np.array([[0] * 3, [90] * 3])
     expected = source.query(box)
     again = pickle.loads(pickle.dumps(source))
     np.testing.assert_array_equal(again.bounds, source.bounds)
@@ -98,15 +102,13 @@ def assert_same_in_another_process(source: nf.SceneSource) -> None:
     np.testing.assert_array_equal(again.query(box).triangles(), expected.triangles())
 
 
-def test_sources_can_be_pickled(tmp_path: Path) -> None:
-    scene = soup()
-    nf.write_tiles(scene, tmp_path / "tiles", cell=30.0)
+def test_sources_can_be_pickled(tiles: Path, tmp_path: Path) -> None:
     write(tmp_path, {"t.glb": gltf([MATERIALS[0]]), "t.json": tileset(tile(0.0, "t.glb"))})
     for source in (
-        scene,
-        nf.open_source(tmp_path / "tiles"),
+        soup(),
+        nf.open_source(tiles),
         nf.open_source(tmp_path / "t.json"),
         nf.datasets.asteroids(count=5, polygons=48),
-        nf.datasets.world(1),
     ):
-        assert_same_in_another_process(source)
+        assert_same_in_another_process(source, np.array([[-np.inf] * 3, [np.inf] * 3]))
+    assert_same_in_another_process(nf.datasets.world(1), np.array([[0.0, 0.0, 0.0], [30.0, 90.0, 30.0]]))

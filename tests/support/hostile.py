@@ -29,6 +29,7 @@ from __future__ import annotations
 import datetime
 import decimal
 import fractions
+import functools
 import math
 import os
 import threading
@@ -74,11 +75,12 @@ class _Fields:
         return 7
 
 
-def hostile_values(valid: Valid) -> list[Hostile]:
+@functools.lru_cache(1)
+def hostile_values(valid: Valid) -> tuple[Hostile, ...]:
     """Return all values; paths lie in a folder of `valid`, and objects come from it."""
     objects = ((f"object:{name}", name, lambda name=name: getattr(valid, name)) for name in OBJECTS)
     found = [*_numbers(), *_others(), *_containers(), *_arrays(), *_paths(valid.folder), *objects]
-    return [Hostile(name, make, frozenset(kinds.split())) for name, kinds, make in found]
+    return tuple(Hostile(name, make, frozenset(kinds.split())) for name, kinds, make in found)
 
 
 Row = tuple[str, str, Callable[[], Any]]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Iterator, Mapping
-from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -15,7 +14,7 @@ from tests.support.name_patterns import match_length
 from tests.support.parameters import added_kinds, kinds_of, range_of
 from tests.support.valid_calls import calls
 from tests.support.valid_calls.objects import Valid
-from tests.support.verdict import attempt, outcome, result, verdict
+from tests.support.verdict import attempt, caught, outcome, result, strict_warnings, verdict
 from tests.support.wrong_values import wrong_values
 
 HARMLESS = frozenset(("none", "big", "flag", "scene", "camera", "frame", "model", "mesh", "lens", "hmd"))
@@ -48,11 +47,14 @@ class Call:
         others = tuple(name for name in self.parameters if name != "at")
         return (*others, "vertices") if "positions" in others else others
 
-    def attempt(
-        self, changes: Mapping[str, Any] = MappingProxyType({}), *, begins: bool = True
-    ) -> BaseException | None:
-        """Call with changed arguments, and return the exception; `begins` is that of `verdict.attempt`."""
-        return attempt(calls.target(self.name, self._valid), {**self.arguments, **changes}, begins=begins)
+    def attempt(self, changes: Mapping[str, Any]) -> BaseException | None:
+        """Call with changed arguments, and return the exception; warnings count as such."""
+        with strict_warnings():
+            return self.caught(changes)
+
+    def caught(self, changes: Mapping[str, Any], *, begins: bool = True) -> BaseException | None:
+        """Call with changed arguments, and return the exception; `begins` is that of `verdict.caught`."""
+        return caught(calls.target(self.name, self._valid), {**self.arguments, **changes}, begins=begins)
 
     def attempt_valid(self) -> BaseException | None:
         """Call without changes, remember the digest of the result, and return the exception."""
@@ -66,20 +68,22 @@ class Call:
         """Call with changed arguments, and return the digest of the result; an empty text for a refusal."""
         return outcome(calls.target(self.name, self._valid), {**self.arguments, **changes})
 
-    def wrong_refusals(self) -> Iterator[str]:
+    def wrong_refusals(self) -> list[str]:
         """Describe each wrong outcome of calls with a value that the parameter must refuse."""
-        yield from self._complaints(is_right=False)
+        with strict_warnings():
+            return [*self._complaints(is_right=False)]
 
-    def wrong_uses(self) -> Iterator[str]:
+    def wrong_uses(self) -> list[str]:
         """Describe each wrong outcome of calls with a value that is unusual, and may be valid."""
-        yield from self._complaints(is_right=True)
+        with strict_warnings():
+            return [*self._complaints(is_right=True)]
 
     def _complaints(self, *, is_right: bool) -> Iterator[str]:
         before = digest(self.arguments)
         for parameter in self.parameters:
             begins = is_right or match_length(self._parameters[parameter][0], ITEM_BY_ITEM) > 0
             for value in self._values(parameter, is_right=is_right):
-                error = self.attempt({parameter: value.make()}, begins=begins)
+                error = self.caught({parameter: value.make()}, begins=begins)
                 flaw = "nothing" if error is None and not is_right else verdict(error, parameter, self.names)
                 if flaw is not None:
                     yield f"{self.name}({parameter}={value.name}) raised {flaw}"

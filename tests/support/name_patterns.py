@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import fnmatch
 import functools
-from fnmatch import fnmatchcase
+import re
 
 
 @functools.cache
@@ -12,6 +13,14 @@ def match_length(name: str, patterns: str) -> int:
 
     A pattern without a full stop is the name of a parameter.
     """
+    plain, dotted = _parsed(patterns)
     parameter = name.rpartition(".")[2]
-    found = (text for text in patterns.split() if text == parameter or ("." in text and fnmatchcase(name, text)))
-    return max(map(len, found), default=0)
+    return max([len(parameter) * (parameter in plain), *(length for length, pattern in dotted if pattern.match(name))])
+
+
+@functools.cache
+def _parsed(patterns: str) -> tuple[frozenset[str], list[tuple[int, re.Pattern[str]]]]:
+    """Return the names of parameters, and the other patterns with their lengths."""
+    parts = patterns.split()
+    dotted = [(len(text), re.compile(fnmatch.translate(text))) for text in parts if "." in text]
+    return frozenset(parts), dotted

@@ -38,23 +38,35 @@ FOREIGN = re.compile(
 """Parts of messages of Python, NumPy and PyO3."""
 
 
-def attempt(call: Callable[..., Any], arguments: Mapping[str, Any], *, begins: bool = True) -> BaseException | None:
-    """Call with keywords and return the exception; warnings count as such.
-
-    Without `begins` a returned iterator is not started: invalid arguments are refused at the call.
-    """
+@contextlib.contextmanager
+def strict_warnings() -> Iterator[None]:
+    """Raise warnings as exceptions, except those about folded pictures."""
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         warnings.filterwarnings("ignore", "the picture folds")
-        try:
-            result(call, arguments, begins=begins)
-        except Exception as error:
-            return error
-        except BaseException as error:
-            # PyO3's panics derive from BaseException alone.
-            if type(error).__name__ != "PanicException":
-                raise
-            return error
+        yield
+
+
+@strict_warnings()
+def attempt(call: Callable[..., Any], arguments: Mapping[str, Any]) -> BaseException | None:
+    """Call with keywords and return the exception; warnings count as such."""
+    return caught(call, arguments)
+
+
+def caught(call: Callable[..., Any], arguments: Mapping[str, Any], *, begins: bool = True) -> BaseException | None:
+    """Call with keywords and return the exception.
+
+    Without `begins` a returned iterator is not started: invalid arguments are refused at the call.
+    """
+    try:
+        result(call, arguments, begins=begins)
+    except Exception as error:
+        return error
+    except BaseException as error:
+        # PyO3's panics derive from BaseException alone.
+        if type(error).__name__ != "PanicException":
+            raise
+        return error
     return None
 
 

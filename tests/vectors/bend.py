@@ -13,8 +13,8 @@ from typing import Any
 from tests.vectors import morph
 from tests.vectors.exact import STEP_64, Vector, above, add, document, dot, exact, horizontal, length, rounded, vector
 
-HALVINGS = 130
-"""Number of halvings of an interval of some metres, for 38 digits."""
+PRECISION = exact.mpf(10) ** -36
+"""Greatest width of the interval around a root, as a share of y₁."""
 TRIALS = 16
 """Number of positions at which the equation's sign is tested; a second root would change it again."""
 POLYLINE = 1e-6
@@ -58,13 +58,25 @@ class Curve:
         low, high = exact.mpf(0), self.beside
         if high == 0:
             return low
-        signs = [self.residual(s, high * k / TRIALS) > 0 for k in range(TRIALS + 1)]
+        trials = [high * k / TRIALS for k in range(TRIALS + 1)]
+        found = [self.residual(s, y) for y in trials]
+        signs = [value > 0 for value in found]
         assert signs == sorted(signs), "one root only: the picture must not fold"
-        if self.residual(s, low) == 0:
+        if found[0] == 0:
             return low
-        for _ in range(HALVINGS):
-            middle = (low + high) / 2
-            low, high = (low, middle) if self.residual(s, middle) > 0 else (middle, high)
+        place = signs.index(True) if signs[-1] else TRIALS
+        (low, high), (below, beyond) = trials[place - 1 : place + 1], found[place - 1 : place + 1]
+        moved = ""
+        while high - low > PRECISION * self.beside:
+            # Regula falsi; the Illinois rule halves the value at an end that stays twice, so that both ends converge.
+            middle = high - beyond * (high - low) / (beyond - below)
+            value = self.residual(s, middle)
+            if value > 0:
+                high, beyond, below, moved = middle, value, below / (2 if moved == "high" else 1), "high"
+            elif value < 0:
+                low, below, beyond, moved = middle, value, beyond / (2 if moved == "low" else 1), "low"
+            else:
+                return middle
         return high
 
     def slope(self, s: float, y: Any) -> Any:

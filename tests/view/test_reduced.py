@@ -23,7 +23,7 @@ PLACE: dict[str, Any] = {"center": CENTER, "r1": 1.2, "r2": 2.0}
 
 @pytest.fixture(scope="module")
 def scene() -> nf.Scene:
-    return nf.datasets.room()
+    return nf.datasets.room(detail=0)
 
 
 def reduced_room(scene: nf.Scene, **settings: Any) -> nf.ReducedScene:

@@ -145,6 +145,7 @@ def complete_settings(settings: RadiusSettings) -> RadiusSettings:
     return settings
 
 
+@functools.cache
 def inner_radius(r2: float, reach: float, height: float, shear: float) -> float:
     """Return r1 in metres for a reach, an eye's height and a shear; see `choose_radii`."""
     r1 = max(reach, shear * height * r2 / (reach + shear * height))

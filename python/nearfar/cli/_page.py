@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from importlib import resources
 from pathlib import Path
 from string import Template
-from typing import Any
+from typing import TYPE_CHECKING, Any
 from xml.etree.ElementTree import Element, SubElement, tostring
 
 import numpy as np
@@ -19,6 +19,10 @@ import nearfar as nf
 from nearfar._base import formats
 from nearfar.cli._output import count
 from nearfar.stereo._differences import EyeDifference
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
 BROKEN = ("not met", "not measured")
 """A table row is highlighted if its last cell is one of these texts."""
@@ -174,14 +178,20 @@ def caption(picture: NDArray[np.uint8], text: str) -> NDArray[np.uint8]:
     return np.asarray(canvas)
 
 
+def make_plot(height: float, *, right: float = 0.98) -> tuple[Figure, Axes]:
+    """Make a plot 7 by `height` inches with fixed margins: fitting them takes longer than drawing."""
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(7.0, height))
+    figure.subplots_adjust(left=0.11, right=right, bottom=0.54 / height, top=1.0 - 0.12 / height)
+    return figure, figure.subplots()
+
+
 def save_curve(folder: Path, curve: nf.LoadCurve, r2: float) -> bool:
     """Plot the load curve with r2 marked; return False if matplotlib is not installed."""
     if not importlib.util.find_spec("matplotlib"):
         return False
-    from matplotlib.figure import Figure
-
-    figure = Figure(figsize=(7.0, 4.5), layout="constrained")
-    axes = figure.subplots()
+    figure, axes = make_plot(4.5, right=0.88)
     curve.plot(axes)
     axes.axvline(r2, color="0.5", linestyle=":", label=f"$r_2$ = {r2:g} m")
     axes.legend(loc="best", fontsize="small")
@@ -231,12 +241,9 @@ def save_eyes(
 
 
 def _plot_error(path: Path, rig: nf.stereo.HybridRig) -> None:
-    from matplotlib.figure import Figure
-
     plane = rig.planes[0]
     depths = np.geomspace(plane, 100.0 * plane, 200)
-    figure = Figure(figsize=(7.0, 4.0), layout="constrained")
-    axes = figure.subplots()
+    figure, axes = make_plot(4.0)
     for axis in ("horizontal", "vertical"):
         axes.plot(depths, [rig.max_error(depth, axis) for depth in depths], label=axis)
     axes.axhline(rig.max_error(), color="0.7", linewidth=0.8, linestyle="--")

@@ -148,8 +148,7 @@ def reduce(
             has_plot = _page.save_curve(folder, curve, r2)
         with clock.step("users"):
             reach = default_radii.user_distance(r1, r2) if impostors is None else impostors.reach
-            aspect = picture.pixels[0] / picture.pixels[1]
-            users = _users.choose_users(loaded, viewpoint.eye, reach, aspect)
+            users = _users.choose_users(loaded, viewpoint.eye, reach, picture.pixels)
             users_document = _users.measure(loaded, sources, users, picture.samples)
             _users.plot(folder / "users.png", users_document)
         margin = nf.fold_margin(stand.user, center=viewpoint.eye, r1=r1, r2=r2)

@@ -12,13 +12,16 @@ from typing import Any
 import numpy as np
 
 import nearfar as nf
+from nearfar.cli import _page
 from nearfar.cli._options import Point
 from nearfar.cli._output import rounded
 
 COUNT = 10
 """Number of users."""
 WIDTH = 480
-"""Width in pixels of the pictures that are measured."""
+"""Greatest width in pixels of the pictures that are measured."""
+MIN_SIDE = 11
+"""Least width and height in pixels of these pictures: the window of SSIM."""
 
 _TRIES = 60
 _GOLDEN = math.pi * (3.0 - math.sqrt(5.0))
@@ -29,17 +32,21 @@ _CLEARANCE = 0.5
 """Least distance of a user from a surface that the centre sees behind the user, metres."""
 
 
-def choose_users(scene: nf.Scene, center: Point, reach: float, aspect: float) -> list[tuple[float, nf.Camera]]:
+def choose_users(
+    scene: nf.Scene, center: Point, reach: float, pixels: tuple[int, int]
+) -> list[tuple[float, nf.Camera]]:
     """Choose users all around a centre at equal steps of distance up to `reach`, each with the distance.
 
     They look at right angles to the line from the centre or, where little is in view there, towards the middle of the
-    scene. Directions in which a surface is in the way are skipped, so there may be fewer than `COUNT`.
+    scene, in pictures of `pixels`, but at most `WIDTH` wide. Directions in which a surface is in the way are skipped,
+    so there may be fewer than `COUNT`.
     """
     turns = _GOLDEN * np.arange(_TRIES)
     outwards = np.column_stack([np.cos(turns), np.zeros(_TRIES), np.sin(turns)])
     free = nf.cast_rays(scene, np.tile(center, (_TRIES, 1)), outwards).t_hit
     users: list[tuple[float, nf.Camera]] = []
-    size, fov = (WIDTH, max(round(WIDTH / aspect), 1)), nf.Fov.symmetric(90, aspect)
+    scale = max(min(WIDTH / pixels[0], 1.0), MIN_SIDE / min(pixels))
+    size, fov = (round(pixels[0] * scale), round(pixels[1] * scale)), nf.Fov.symmetric(90, pixels[0] / pixels[1])
     for turn, outward, distance_free in zip(turns, outwards, free, strict=True):
         distance = reach * (len(users) + 1) / COUNT
         if len(users) < COUNT and distance_free > distance + min(_CLEARANCE, distance):
@@ -118,10 +125,7 @@ def plot(path: Path, users: dict[str, Any]) -> bool:
     """Plot PSNR of each method against the user's distance from O; return False without users or matplotlib."""
     if not users["distances"] or not importlib.util.find_spec("matplotlib"):
         return False
-    from matplotlib.figure import Figure
-
-    figure = Figure(figsize=(7.0, 4.5), layout="constrained")
-    axes = figure.subplots()
+    figure, axes = _page.make_plot(4.5)
     for name, values in users["methods"].items():
         psnr = [math.nan if value is None else value for value in values["psnr"]]
         axes.plot(users["distances"], psnr, marker="o", linestyle="", label=name)
