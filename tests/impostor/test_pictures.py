@@ -136,7 +136,7 @@ def test_the_city_keeps_its_quality_and_size() -> None:
     center, _ = nf.datasets.street_view()
     impostors = nf.reduce(city, far="impostors", center=center)
     assert impostors.stats["triangles"] <= 15_500
-    assert impostors.near.triangle_count <= 42_000
+    assert impostors.near.triangle_count <= 43_000
     quality: list[tuple[float, float]] = []
     # The map is not drawn; views follow from the geometry alone.
     reduced = nf.reduce(city, center=center, r1=30.0, r2=50.0, face_size=64, channels=("color", "range"))

@@ -268,11 +268,11 @@ def test_spark_loads_and_draws_exported_splats(few_tree: nf.orthoview.OrthoTree,
     reader = Cells(
         few_tree._files, few_tree._layout, few_tree.generation, np.array([[-np.inf] * 3, [np.inf] * 3]), sun_of("sun")
     )
-    key = max(reader.cells_of_level(2), key=lambda cell: reader.read(*cell).pixels)
+    key = max(reader.cells_of_level(1), key=lambda cell: reader.read(*cell).pixels)
     cell, path = reader.read(*key), tmp_path / "cell.spz"
     path.write_bytes(_spz.encode(cell.gaussians))
-    (x, y, z), side = cell.center.tolist(), few_tree.cell * 4
-    look = Look((x + 0.8 * side, y + 0.9 * side, z + 2.2 * side), (x, y, z), 30.0, (96, 72))
+    (x, y, z), side = cell.center.tolist(), few_tree.cell * 2
+    look = Look((x + 0.8 * side, y + 2.1 * side, z + 1.2 * side), (x, y, z), 30.0, (96, 72))
     (loaded,), (picture,) = spark([(path, cell.center)], [(look, [0])], first=50)
     right = spz_rows(path.read_bytes(), 3)
     assert loaded["count"] == len(right.middle)
@@ -293,5 +293,5 @@ def test_spark_loads_and_draws_exported_splats(few_tree: nf.orthoview.OrthoTree,
     assert picture[..., 3][beside].mean() < 0.15
     apart = np.abs(picture[..., :3] - ours.to_image() / 255.0)[solid].mean()
     turned = np.abs(picture[:, ::-1, :3] - ours.to_image() / 255.0)[solid].mean()
-    assert apart < 0.1
+    assert apart < 0.12
     assert apart < 0.6 * turned
