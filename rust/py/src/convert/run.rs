@@ -64,7 +64,7 @@ pub fn long<R: Send>(
     Ok(value)
 }
 
-/// What becomes of a kernel: its result, or what it panicked with.
+/// Result of a kernel, or the payload of its panic.
 type Outcome<R> = std::thread::Result<Result<R>>;
 
 /// A kernel without its type. The functions that run it would otherwise be compiled for each kernel, which took half of
