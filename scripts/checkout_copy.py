@@ -85,7 +85,7 @@ class Copy:
     def build(self, suffix: str) -> None:
         """Build the component that files with a suffix belong to."""
         if suffix in RUST:
-            self.must("cargo", "build", "--quiet", "--profile", "quick", "-p", "nearfar-py")
+            self.must("cargo", "build", "--quiet", "--profile", "quick", "-p", "nearfar-module")
             new = self.folder / "python" / "nearfar" / "_core.abi3.so.new"
             shutil.copy(self.folder / "target" / "quick" / "lib_core.so", new)
             new.replace(new.with_suffix(""))
