@@ -97,15 +97,18 @@ def rows(document: dict[str, Any]) -> list[list[str]]:
     lines = [header]
     is_equal = equal_views(document)
     for name, values in users["methods"].items():
-        psnr = [value for value, equal in zip(values["psnr"], is_equal, strict=True) if not equal]
+        psnr, ssim = (
+            [value for value, equal in zip(values[measure], is_equal, strict=True) if not equal]
+            for measure in ("psnr", "ssim")
+        )
         size = document["sizes"][name]
         lines.append(
             [
                 name,
                 f"{np.mean(psnr):.1f}" if psnr else "all equal",
                 f"{min(psnr):.1f}" if psnr else "all equal",
-                f"{np.mean(values['ssim']):.3f}",
-                f"{min(values['ssim']):.3f}",
+                f"{np.mean(ssim):.3f}" if ssim else "all equal",
+                f"{min(ssim):.3f}" if ssim else "all equal",
                 f"{100.0 * np.mean(values['missing']):.3f} %" if name == "impostors" else "0 %",
                 f"{size['triangles']:,}",
                 f"{size['bytes']:,}",
