@@ -8,6 +8,8 @@ use crate::morph::Morph;
 const STEPS: usize = 80;
 /// Maximum number of halvings of a stretch beyond the number that the tolerance requires.
 const SPARE_HALVINGS: u32 = 8;
+/// The same for a strength below 1, where the curve may turn by a right angle within micrometres of U and O.
+const SPARE_HALVINGS_BESIDE_U_AND_O: u32 = 24;
 /// A stretch has at most `MAX_CHORDS` / √tolerance chords, with the tolerance in radians. Where the picture folds, the
 /// curve jumps and no chord meets the tolerance.
 pub(super) const MAX_CHORDS: f64 = 64.0;
@@ -89,7 +91,8 @@ impl<'a> RayCurve<'a> {
     }
 
     /// Returns the stretches of the curve from its start to r₂, in order of s. There are three if the ray of a user
-    /// between the radii crosses r₁.
+    /// between the radii crosses r₁. At a strength below 1 they also end where the curve crosses r₁, and beside U and O:
+    /// within a millimetre of U or O the curve may turn by a right angle, which a long chord does not show.
     pub fn stretches(&self) -> Vec<Stretch> {
         // Vertical curves never reach r₂; they are cut far beyond both radii.
         let end = self.end().map_or(VERTICAL_END * (self.morph.r2 + self.ray_distance), |(s, _)| s);
@@ -106,9 +109,34 @@ impl<'a> RayCurve<'a> {
             add(enter, leave, true);
             add(leave, end, false);
         } else {
-            add(start, end, false);
+            let mut ends = vec![start, end];
+            if self.morph.strength < 1.0 {
+                ends.extend([0.0, self.center_s].into_iter().filter(|s| (start..end).contains(s)));
+                ends.sort_by(f64::total_cmp);
+                let crossings: Vec<f64> = ends.windows(2).filter_map(|pair| self.crossing(pair[0], pair[1])).collect();
+                ends.extend(crossings);
+                ends.sort_by(f64::total_cmp);
+            }
+            ends.windows(2).for_each(|pair| add(pair[0], pair[1], false));
         }
         stretches
+    }
+
+    /// Returns s where the curve crosses r₁ between two values of s, of which one is inside and one outside.
+    fn crossing(&self, from: f64, to: f64) -> Option<f64> {
+        let is_inside = |s: f64| {
+            let point = self.point(s, self.offset(s, 0.5 * self.ray_distance));
+            on_ground(point - self.morph.center).length() < self.morph.r1
+        };
+        let starts_inside = is_inside(from);
+        (starts_inside != is_inside(to)).then(|| {
+            let (mut low, mut high) = (from, to);
+            for _ in 0..STEPS {
+                let middle = 0.5 * (low + high);
+                if is_inside(middle) == starts_inside { low = middle } else { high = middle }
+            }
+            high
+        })
     }
 
     /// Returns the interval of s in which the user's ray lies inside r₁ and coincides with the curve.
@@ -188,17 +216,29 @@ impl<'a> RayCurve<'a> {
     /// first point lies at `stretch.from`, the last at `stretch.to`.
     fn flatten(&self, stretch: &Stretch, tolerance: f64, points: &mut Vec<DVec3>) {
         let vertex = |s: f64, guess: f64| (s, self.offset(s, guess));
-        let (first, last) = (vertex(stretch.from, 0.0), vertex(stretch.to, self.ray_distance));
+        // At a strength below 1, U and O are roots beside which the curve may pass: the search begins between them.
+        let (mut first, mut last) = (0.0, self.ray_distance);
+        if self.morph.strength < 1.0 {
+            last *= 0.5;
+            if stretch.from > self.start() {
+                first = last;
+            }
+        }
+        let (first, last) = (vertex(stretch.from, first), vertex(stretch.to, last));
         points.push(self.point(first.0, first.1));
         // The error of a chord is proportional to the square of its length.
-        let max_depth = (-0.5 * tolerance.log2()).ceil().max(0.0) as u32 + SPARE_HALVINGS;
+        let is_partial = self.morph.strength < 1.0;
+        let spare_halvings = if is_partial { SPARE_HALVINGS_BESIDE_U_AND_O } else { SPARE_HALVINGS };
+        let max_depth = (-0.5 * tolerance.log2()).ceil().max(0.0) as u32 + spare_halvings;
         let max_count = points.len() + (MAX_CHORDS / tolerance.sqrt()) as usize;
         let mut chords = vec![(first, last, 0)];
         while let Some((a, b, depth)) = chords.pop() {
-            let levels = if depth < 2 { 3 } else { 2 };
+            // At a strength below 1 a chord may begin or end beside U or O, where the curve turns most.
+            let levels = if depth < 2 { 3 } else { 2 } + if is_partial { 2 } else { 0 };
             let is_last = depth == max_depth || points.len() >= max_count;
             let tested = TESTED_TOLERANCE * tolerance;
-            if is_last || self.starts_flat(a, b, tested) && self.is_flat(a, b, levels, tested) {
+            let starts_flat = self.is_flat_beside(a, b, tested) && (!is_partial || self.is_flat_beside(b, a, tested));
+            if is_last || starts_flat && self.is_flat(a, b, levels, tested) {
                 points.push(self.point(b.0, b.1));
                 continue;
             }
@@ -209,9 +249,9 @@ impl<'a> RayCurve<'a> {
         }
     }
 
-    /// Tests a chord just after its start. There the error of a chord from U is greatest: the curve's direction differs
-    /// most from the chord's, and U's view has its greatest weight.
-    fn starts_flat(&self, a: (f64, f64), b: (f64, f64), tolerance: f64) -> bool {
+    /// Tests a chord beside one of its ends. Beside U and O the error is greatest: the curve's direction differs most
+    /// from the chord's, and the view from there changes most.
+    fn is_flat_beside(&self, a: (f64, f64), b: (f64, f64), tolerance: f64) -> bool {
         let [s, y] = [a.0 + (b.0 - a.0) * FIRST_TEST, a.1 + (b.1 - a.1) * FIRST_TEST];
         self.miss(s, y) <= tolerance
     }

@@ -51,6 +51,27 @@ proptest! {
     }
 
     #[test]
+    fn chords_of_weaker_morphs_meet_the_tolerance_also_beside_the_user_and_the_centre(
+        x in -3.0..3.0f64, y in -3.0..3.0f64, z in -3.0..3.0f64, strength in 0.0..1.0f64, r1 in 4.5..30.0f64,
+        azimuth in 0.0..std::f64::consts::TAU, elevation in -1.5..1.5f64, log_tolerance in -4.0..-2.0f64,
+    ) {
+        let user = DVec3::new(x, y, z);
+        let morph = Morph::new(user, DVec3::ZERO, r1, 50.0, Kind::Blend).unwrap().with_strength(strength).unwrap();
+        let direction = DVec3::new(azimuth.cos() * elevation.cos(), elevation.sin(), azimuth.sin() * elevation.cos());
+        let tolerance = 10f64.powf(log_tolerance);
+        for leg in RayCurve::new(&morph, direction).polyline(tolerance).windows(2) {
+            for i in 0..=128 {
+                let share = 10f64.powf(-7.0 * (1.0 - f64::from(i % 65) / 64.0));
+                let point = leg[usize::from(i > 64)].lerp(leg[usize::from(i <= 64)], 0.5 * share);
+                // Nearer to U and O the rounding of positions is an angle.
+                if point.distance(user).min(point.length()) > 1e-9 {
+                    prop_assert!(direction_error(&morph, point, direction) <= tolerance);
+                }
+            }
+        }
+    }
+
+    #[test]
     fn curves_end_for_any_user_and_radii(
         x in -90.0..90.0f64, y in -50.0..50.0f64, z in -90.0..90.0f64, r1 in 0.0..40.0f64, width in 1e-3..40.0f64,
         dx in -1.0..1.0f64, dy in -1.0..1.0f64, dz in -1.0..1.0f64, strength in 0.0..2.0f64,
@@ -59,8 +80,8 @@ proptest! {
         let morph = full.with_strength(strength.min(1.0)).unwrap();
         let direction = DVec3::new(dx, dy, dz).normalize_or(DVec3::Y);
         let points = RayCurve::new(&morph, direction).polyline(1e-4);
-        // At most three stretches.
-        prop_assert!(!points.is_empty() && points.len() < 3 * (MAX_CHORDS / 1e-4f64.sqrt()) as usize);
+        // At most six stretches: beside U and O, and at three crossings of r₁.
+        prop_assert!(!points.is_empty() && points.len() < 6 * (MAX_CHORDS / 1e-4f64.sqrt()) as usize);
         prop_assert!(points.iter().all(|point| point.is_finite()));
     }
 
