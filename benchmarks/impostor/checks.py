@@ -17,6 +17,7 @@ import nearfar as nf
 from benchmarks.harness import scenes
 from benchmarks.harness.report import start, table
 from benchmarks.harness.views import Point, center_for
+from benchmarks.impostor.quality import Case, cases
 from benchmarks.impostor.texels import AROUND, Floats, Mask, Texels, texel_coordinates
 from benchmarks.reduce import dynamic
 from benchmarks.reduce.tear import REACH, views
@@ -97,18 +98,19 @@ def baked_points(texels: Texels, quad: NDArray[np.int64], places: Floats) -> Flo
     return found
 
 
-def tears(name: str, scene: nf.Scene, center: Point, count: int, size: int) -> list[list[Any]]:
+def tears(case: Case, count: int) -> list[list[Any]]:
     """Rows: tear along r₂ and where geometry and quads adjoin, means over all pixels of all views."""
-    impostors = nf.reduce(scene, far="impostors", center=center, reach=REACH, r2=R2, face_size=size)
-    texels, sums, used = Texels(scene, impostors), np.zeros((3, 2)), 0
+    cylinder: dict[str, Any] = {"center": case.center, "radius": case.r2}
+    impostors = nf.reduce(case.scene, far="impostors", center=case.center, r2=case.r2, **case.settings)
+    texels, sums, used = Texels(case.scene, impostors), np.zeros((3, 2)), 0
     worst = 0.0
-    for camera in views(center, 7):
+    for camera in views(case.center, 7, impostors.reach):
         frame, is_quad, _ = shown_points(texels, camera)
-        one = nf.metrics.boundary_tear(frame, center=center, radius=R2)
+        one = nf.metrics.boundary_tear(frame, **cylinder)
         if one.pixels * (one.shared or 0.0) < MIN_EDGE:
             continue
         used += 1
-        same = nf.metrics.boundary_tear(frame, center=center, radius=R2, surfaces=True)
+        same = nf.metrics.boundary_tear(frame, **cylinder, surfaces=True)
         for row, tear in enumerate((one, same)):
             pixels = tear.pixels * (tear.shared or 0.0)
             sums[row] += pixels, pixels * (tear.tear or 0.0)
@@ -120,7 +122,7 @@ def tears(name: str, scene: nf.Scene, center: Point, count: int, size: int) -> l
             break
     places = ("along r₂", "along r₂, surfaces that cross it", "where geometry and quads adjoin")
     return [
-        [name, place, used, pixels, total / pixels if pixels else None, worst if row == 0 else None]
+        [case.label, place, used, pixels, total / pixels if pixels else None, worst if row == 0 else None]
         for row, (place, (pixels, total)) in enumerate(zip(places, sums.tolist(), strict=True))
     ]
 
@@ -250,7 +252,8 @@ def main() -> None:
     cities = [("procedural city", scenes.city(quick), nf.datasets.street_view()[0])]
     if not quick:
         cities += [(name, scene, center_for(scene, R2)) for name, scene in scenes.present("Tokyo core")]
-    rows = [row for case in cities for row in tears(*case, 1 if quick else arguments.views, size)]
+    places = [case for case in cases((240, 136), 2, quick) if case.far_triangles is None]
+    rows = [row for case in places for row in tears(case, 1 if quick else arguments.views)]
     print(
         table(
             "Tear, 20 pixels a degree",

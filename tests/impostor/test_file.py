@@ -134,7 +134,14 @@ def test_a_far_file_is_plain_gltf(impostors: nf.Impostors, geometry: Geometry, t
     assert encoded == encode(impostors._quads, impostors._region, textures=textures, geometry=geometry)
     document, end = glb.header(encoded.data)
     region = document["scenes"][0]["extras"]["nearfar"]
-    expected = {"center": list(CENTER), "reach": 2.0, "r2": 12.0, "error_px": 2.0, "rounding_px": encoded.error_px}
+    expected = {
+        "center": list(CENTER),
+        "origin": list(CENTER),
+        "reach": 2.0,
+        "r2": 12.0,
+        "error_px": 2.0,
+        "rounding_px": encoded.error_px,
+    }
     assert region == expected
     assert not any({"matrix", "translation", "rotation", "scale"} & set(entry) for entry in document["nodes"])
     primitives = [primitive for mesh in document["meshes"] for primitive in mesh["primitives"]]

@@ -5,10 +5,10 @@ use proptest::prelude::*;
 
 use super::cover::cover;
 use super::layer::{place, tiles_across};
-use super::paint::Quad;
+use super::paint::{Quad, sharpen};
 use super::plane::{Bound, Plane};
 use super::strips::cells;
-use super::tile::{Place, SIDE, Tile, column_and_row};
+use super::tile::{Place, SIDE, Tile, WIDE, column_and_row};
 use super::world::{Seen, World};
 use super::{Impostors, Settings, atlas, bake};
 use crate::base::{FaceMap, Progress};
@@ -184,6 +184,33 @@ fn scenes_without_a_far_part_have_no_quads() {
     let found = baked(&wall([-5.0, 5.0], [0.0, 6.0], -8.0), 64);
     assert!(found.mesh.faces.is_empty());
     assert_eq!(found.missing, [0.0]);
+}
+
+#[test]
+fn linear_look_ups_of_sharpened_texels_keep_the_contrast_of_waves() {
+    let amplitude = |period: f64, is_sharp: bool| {
+        let wave = |x: f64| (std::f64::consts::TAU * x / period).sin();
+        let texel = |slot: usize| 0.5 + 0.2 * wave((slot % WIDE) as f64);
+        let shown: Vec<_> = (0..WIDE * WIDE).map(|slot| Some(([texel(slot) as f32; 3], 255))).collect();
+        let value = |column: isize| match is_sharp {
+            true => f64::from(sharpen(&shown, column, 9).unwrap().0[0]),
+            false => texel(column as usize + 1),
+        };
+        // Projection on the wave over whole periods.
+        let positions = (0..4800).map(|n| f64::from(n) * 0.01);
+        let shares = positions.map(|x| {
+            let (column, share) = (x.floor() as isize, x.fract());
+            (value(column) * (1.0 - share) + value(column + 1) * share - 0.5) * wave(x + 1.0)
+        });
+        shares.sum::<f64>() / 480.0
+    };
+    for period in [4.0, 6.0, 8.0, 12.0] {
+        // A look-up at a random position multiplies the wave by sinc²(π / period).
+        let half = std::f64::consts::PI / period;
+        let blur = (half.sin() / half).powi(2);
+        assert!((amplitude(period, false) - blur).abs() < 1e-3, "{period}");
+        assert!((amplitude(period, true) - 1.0).abs() < 0.3 * (1.0 - blur), "{period}");
+    }
 }
 
 #[test]
