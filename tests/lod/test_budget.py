@@ -284,6 +284,21 @@ def test_after_a_large_step_small_steps_fill_the_budget() -> None:
         assert found.level.tolist() == [1] + [0] * count
 
 
+def test_a_large_step_goes_first_if_it_is_worth_more_than_those_before_it() -> None:
+    great, small = (
+        replace(model([(low, 1, 1, low)]), triangles=np.array([top, 10])) for top, low in ((1000, 0.2), (20, 0.5))
+    )
+    place = np.tile(VIEW.position + 5 * -rotation(VIEW)[:, 2], (11, 1))
+    index, frames = np.r_[0, np.ones(10, int)], dict[str, Any]()
+    for weight, level in ((4, 1), (10, 0), (10, 0)):
+        options = {"budget": 110 + 1000, "weight": np.r_[weight, np.ones(10)], "hysteresis": 0.1, **frames}
+        found = nf.lod.select([great, small], index, place, 0.5, camera=VIEW, full=True, **options)
+        assert found.level[0] == level
+        assert (found.level[1:] == 0).sum() == (10 if level else 1)
+        assert found.spent is not None
+        frames = {"previous": found.level, "price": found.spent.price} if level == 0 else {}
+
+
 def test_no_triangles_are_spent_on_weightless_or_invisible_objects() -> None:
     models, index, centers, radii = crowd(1000)
     weight = np.ones(1000)

@@ -79,20 +79,20 @@ def squared(curve: nf.lod.Curve4PL, x: Array, y: Array) -> float:
 @pytest.mark.parametrize(("samples", "noise"), [(8, 0.1), (20, 0.05), (40, 0.01)])
 def test_residuals_are_at_most_scipys(samples: int, noise: float) -> None:
     compared = 0
-    for x, y in noisy(7, 12, samples, noise):
+    for x, y in noisy(7, 6, samples, noise):
         curve = nf.lod.fit_4pl(x, y)
         if curve.ok:
             compared += 1
             assert squared(curve, x, y) <= by_scipy(x, y) * (1 + 1e-9)
             assert curve.rms**2 * samples == pytest.approx(squared(curve, x, y), rel=1e-9)
-    assert compared >= (2 if samples == 8 else 9)
+    assert compared >= (1 if samples == 8 else 4)
 
 
 @pytest.mark.parametrize("samples", [5, 9, 20])
 def test_clean_data_is_fitted_exactly(samples: int) -> None:
     random = np.random.default_rng(samples)
     recovered = 0
-    for k in range(60):
+    for k in range(30):
         x = (np.linspace(0.1, 1, samples), np.linspace(0.01, 1, samples), np.geomspace(0.01, 1, samples))[k % 3]
         # Middles from a quarter of the first sample to twice the last one.
         truth = np.array([0.9, random.uniform(0.5, 8), np.exp(random.uniform(np.log(x[0] / 4), np.log(2))), 0.2])
@@ -106,7 +106,7 @@ def test_clean_data_is_fitted_exactly(samples: int) -> None:
             if curve.status != "step" and np.allclose(found, truth, rtol=1e-6, atol=0):
                 recovered += 1
                 np.testing.assert_allclose(list(curve), truth, rtol=1e-6)
-    assert recovered > 60
+    assert recovered > 30
 
 
 def test_nearly_clean_data_is_fitted_to_its_noise() -> None:

@@ -11,17 +11,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from tests.support import data, need, printed_by_threads
-from tests.support.lod_cases import (
-    FOV,
-    SMALL,
-    Array,
-    ball,
-    checkered,
-    levels,
-    scene,
-    smooth,
-    straightforward,
-)
+from tests.support.lod_cases import FOV, SMALL, Array, ball, checkered, levels, scene, smooth, straightforward
 
 pytestmark = pytest.mark.usefixtures("fresh_cache")
 
@@ -62,21 +52,10 @@ def test_boxes_score_like_whole_pictures(
     name: str, directions: Any, fov: nf.Fov, size: tuple[int, int], samples: int
 ) -> None:
     own = cut(12, name)
-    model = nf.lod.measure(
-        own,
-        fov=fov,
-        size=size,
-        views=8,
-        directions=directions,
-        spacing="published",
-        distances=2,
-        samples=samples,
-        step=None,
-        saturated=None,
-        backend="cpu",
-        cache=False,
-    )
-    truth = straightforward(own, 8, (1, 2), fov, size, samples, own_ssim, directions)
+    views = 8 if directions == "published" else 4
+    how: dict[str, Any] = {"fov": fov, "size": size, "views": views, "directions": directions, "samples": samples}
+    model = nf.lod.measure(own, **SMALL | how | {"distances": 2}, step=None, saturated=None, cache=False)
+    truth = straightforward(own, views, (1, 2), fov, size, samples, own_ssim, directions)
     assert model.samples is not None
     assert model.samples.views is not None
     # Pictures have the same bytes except where rounding decides an edge, which does not occur here; scores
@@ -141,7 +120,7 @@ def test_results_do_not_depend_on_the_number_of_threads() -> None:
 
 def test_a_gpu_measures_the_same_curves() -> None:
     need("vulkan")
-    options = SMALL | {"size": (256, 256), "standard_error": 0.0, "step": None, "cache": False}
+    options = SMALL | {"size": (160, 160), "standard_error": 0.0, "step": None, "cache": False}
     # With one sample, pictures differ in pixels whose centre lies within 1/256 of an edge; with four also in how
     # edges are blended, equally in both pictures.
     for samples, bound in ((1, 5e-3), (4, 2e-2)):
@@ -166,7 +145,7 @@ def test_scores_of_a_real_object_fall_from_level_to_level() -> None:
         fewer = fast_simplification.simplify(vertices, faces.reshape(-1, 3).astype(np.int32), 1 - ratio)
         own.append(nf.lod.Level(scene=nf.Scene.from_arrays(*fewer), ratio=ratio))
     model = nf.lod.measure(
-        nf.lod.Levels(own), hmd=nf.hmd.RIFT_S, views=4, distances=3, samples=1, step=None, spacing="published"
+        nf.lod.Levels(own), fov=FOV, size=(320, 320), views=4, distances=3, samples=1, step=None, spacing="published"
     )
     assert model.samples is not None
     assert (np.diff(model.samples.score, axis=0) < 0).all()

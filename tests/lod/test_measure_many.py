@@ -54,10 +54,7 @@ def test_a_cluster_gives_the_same_bytes(objects: dict[str, nf.lod.Levels]) -> No
     from distributed import Client, LocalCluster
 
     here = nf.lod.measure(objects, **SMALL, cache=False)
-    with (
-        LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address=":0") as cluster,
-        Client(cluster) as client,
-    ):
+    with LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address=":0") as cluster, Client(cluster) as client:
         there = nf.lod.measure(objects, **SMALL, cache=False, client=client)
         for name in objects:
             assert_same(here[name], there[name])

@@ -208,7 +208,7 @@ def test_levels_of_several_pieces_are_merged() -> None:
 @pytest.mark.parametrize("name", ADAPTERS)
 def test_meshes_that_come_later_share_a_page(name: str) -> None:
     """Levels are uploaded one frame after the other, and need no more buffers than levels that exist already."""
-    levels = nf.lod.simplify(ball(4), [0.8**n for n in range(1, 13)], method="meshopt")
+    levels = nf.lod.simplify(ball(4), [0.8**n for n in range(1, 8)], method="meshopt")
     model = model_from([level.scene for level in levels])
     count = len(model)
     scene = nf.lod.place([model], [0] * count, frames(count, seed=15))

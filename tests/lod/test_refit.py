@@ -19,14 +19,20 @@ pytestmark = pytest.mark.usefixtures("fresh_cache")
 WHOLE: dict[str, Any] = SMALL | {"views": 24, "distances": 6, "step": None, "saturated": None}
 
 
-@pytest.mark.parametrize("percentile", [0, 5, 37.5, 100, "mean"])
-def test_refitting_equals_a_new_measurement_without_rendering(percentile: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    own = levels(20, 12, 8, 5)
-    model = nf.lod.measure(own, **WHOLE, cache=False)
+@pytest.fixture(scope="module")
+def model() -> nf.lod.LodModel:
+    return nf.lod.measure(levels(20, 12, 8, 5), **WHOLE, cache=False)
+
+
+@pytest.mark.parametrize("percentile", [0, 37.5, 100, "mean"])
+def test_refitting_equals_a_new_measurement_without_rendering(
+    percentile: Any, model: nf.lod.LodModel, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert model.levels is not None
     counted = count_renders(monkeypatch)
     other = model.refit(percentile)
     assert counted == []
-    truth = nf.lod.measure(own, **WHOLE, percentile=percentile, cache=False)
+    truth = nf.lod.measure(model.levels, **WHOLE, percentile=percentile, cache=False)
     assert counted
     assert_same(other, truth)
     assert other.levels is model.levels
@@ -35,8 +41,7 @@ def test_refitting_equals_a_new_measurement_without_rendering(percentile: Any, m
     assert_same(other.refit(25), model)
 
 
-def test_percentiles_and_means_are_those_of_the_views() -> None:
-    model = nf.lod.measure(levels(12, 8, 5), **WHOLE)
+def test_percentiles_and_means_are_those_of_the_views(model: nf.lod.LodModel) -> None:
     assert model.samples is not None
     views = model.samples.views
     assert views is not None

@@ -7,9 +7,11 @@ from typing import Any
 
 import numpy as np
 import pytest
+import trimesh
 from numpy.typing import NDArray
 
 import nearfar as nf
+from tests.support import need
 from tests.support.leveled_cases import bytes_of, frames, leveled, view
 
 Array = NDArray[np.float64]
@@ -143,3 +145,60 @@ def test_budgets_hold_in_each_picture_and_keep_the_price(models: list[nf.lod.Lod
     for each in shown:
         assert each is not None
         assert coarsest.triangles <= each.triangles == each.selection.spent.triangles <= budget
+
+
+@pytest.mark.slow
+def test_weights_by_pixels_give_the_best_pictures() -> None:
+    """In nine scenes with one object that fills the view, against equal weights and screen-space error."""
+    need("fast_simplification")
+    screen: dict[str, Any] = {"fov": nf.Fov.symmetric(90), "size": (240, 240)}
+    models = [
+        nf.lod.measure(nf.lod.simplify(stone(number, *shape), ratios=(0.25, 0.06, 0.015)), **screen)
+        for number, shape in enumerate([(0.3, 3.0), (0.25, 6.0), (0.15, 12.0), (0.05, 20.0)])
+    ]
+    camera = nf.Camera.look_at((0, 0, 0), (0, 0, -1), **screen)
+    found = []
+    for seed in range(9):
+        random = np.random.default_rng(seed)
+        away, distances = random.normal(size=(40, 3)), random.uniform(4, 25, 40)
+        away[:, 2] = -np.abs(away[:, 2])
+        away[0], distances[0] = (0, 0, -1), 1.6
+        places = away * (distances / np.linalg.norm(away, axis=1))[:, None]
+        index = random.integers(0, len(models), len(places)).tolist()
+        poses = np.tile(np.eye(4), (len(places), 1, 1))
+        poses[:, :3, 3] = places
+        scene = nf.lod.place(models, index, poses)
+
+        def picture(lod: Any, scene: nf.Scene = scene) -> nf.Frame:
+            return nf.render(scene, camera, samples=4, channels=("color",), lod=lod, backend="cpu")
+
+        truth = picture(None)
+        errors = [models[n].errors * 120 / (away - 1.2) for n, away in zip(index, distances, strict=True)]
+        for pixels in (1, 2, 4):
+            rule = [int(np.flatnonzero(error <= pixels).max()) for error in errors]
+            by_rule = picture(rule)
+            is_seen = picture(nf.lod.Selector(budget=10**9)).lod.levels >= 0
+            budget = sum(
+                int(models[n].triangles[level]) for n, level, seen in zip(index, rule, is_seen, strict=True) if seen
+            )
+            frames = [
+                by_rule,
+                *(picture(nf.lod.Selector(budget=budget, weight=weight)) for weight in ("object", "pixels")),
+            ]
+            found.append([nf.ssim(truth, frame) for frame in frames])
+    rule, objects, ours = np.array(found).T
+    assert (ours >= objects - 0.002).all()
+    # Scores are measured for objects alone, without what hides them.
+    assert (ours >= rule - 0.003).all()
+    assert ours.mean() > objects.mean() + 0.05
+    assert ours.mean() > rule.mean()
+
+
+def stone(seed: int, roughness: float, waves: float) -> nf.Scene:
+    """A ball of 5,120 triangles with waves in random directions."""
+    ball = trimesh.creation.icosphere(4)
+    axes = np.random.default_rng(seed + 1).normal(size=(8, 3))
+    heights = np.cos(waves * ball.vertices @ axes.T).mean(axis=1)
+    return nf.Scene.from_trimesh(
+        trimesh.Trimesh(ball.vertices * (1 + roughness * heights)[:, None], ball.faces, process=False)
+    )

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import zipfile
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -141,7 +140,9 @@ def test_corners_with_equal_attributes_share_a_vertex() -> None:
     assert quadrics.group_equal_corners(corners, values).tolist() == [0, 1, 0, 1, 4, 5]
 
 
-def spot(folder: Path) -> nf.Scene:
+@pytest.fixture(scope="module")
+def spot(tmp_path_factory: pytest.TempPathFactory) -> nf.Scene:
+    folder = tmp_path_factory.mktemp("spot")
     with zipfile.ZipFile(data("objects/spot/spot.zip")) as packed:
         packed.extractall(folder)
     mesh = trimesh.load(folder / "spot/spot_triangulated.obj", process=False)
@@ -150,19 +151,22 @@ def spot(folder: Path) -> nf.Scene:
     return nf.Scene.from_trimesh(mesh)
 
 
-def test_spot_keeps_her_spots(method: Any, tmp_path: Path) -> None:
-    scene = spot(tmp_path)
-    levels = nf.lod.simplify(scene, [0.5, 0.1], method=method)
+def test_spot_keeps_her_spots(method: Any, spot: nf.Scene) -> None:
+    levels = nf.lod.simplify(spot, [0.5, 0.1], method=method)
     for level, least in zip(levels[1:], (0.95, 0.8), strict=True):
         assert abs(level.triangle_count / (levels[0].triangle_count * level.ratio) - 1) < 0.02
-        assert open_edges(level.scene) == open_edges(scene)
-        assert likeness(scene, level.scene) > least
+        assert open_edges(level.scene) == open_edges(spot)
+        assert likeness(spot, level.scene) > least
 
 
-def test_the_helmet_keeps_its_materials(method: Any) -> None:
-    scene = nf.Scene.load(data("objects/gltf/FlightHelmet/FlightHelmet.gltf"))
-    levels = nf.lod.simplify(scene, [0.1], method=method)
-    assert levels[1].scene.report.textures == scene.report.textures
-    assert set(parts(levels[1].scene)["materials"].tolist()) == set(parts(scene)["materials"].tolist())
+@pytest.fixture(scope="module")
+def helmet() -> nf.Scene:
+    return nf.Scene.load(data("objects/gltf/FlightHelmet/FlightHelmet.gltf"))
+
+
+def test_the_helmet_keeps_its_materials(method: Any, helmet: nf.Scene) -> None:
+    levels = nf.lod.simplify(helmet, [0.1], method=method)
+    assert levels[1].scene.report.textures == helmet.report.textures
+    assert set(parts(levels[1].scene)["materials"].tolist()) == set(parts(helmet)["materials"].tolist())
     assert abs(levels[1].triangle_count / levels[0].triangle_count - 0.1) < 0.005 or levels[1].note
     assert levels[1].error < 0.02 * levels.radius * 2

@@ -210,10 +210,7 @@ def test_the_recommended_d_and_k_are_the_means(study: Study) -> None:
     assert (study.d.mean(), study.k.mean()) == (pytest.approx(0.901099, abs=1e-6), pytest.approx(0.2734375))
     for hmd, means in {"rift": (0.905087, 0.267708), "vive": (0.897112, 0.279167)}.items():
         part = study.select(hmd=hmd)
-        assert (part.d.mean(), part.k.mean()) == (
-            pytest.approx(means[0], abs=1e-6),
-            pytest.approx(means[1], abs=1e-6),
-        )
+        assert (part.d.mean(), part.k.mean()) == (pytest.approx(means[0], abs=1e-6), pytest.approx(means[1], abs=1e-6))
 
 
 def test_the_table_is_complete_and_nearly_consistent(study: Study) -> None:

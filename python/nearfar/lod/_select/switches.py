@@ -181,7 +181,7 @@ def _reasons(sizes: NDArray[np.float64], scores: NDArray[np.float64], needed: fl
     for level in range(1, len(sizes)):
         coarser = level + 1 + np.flatnonzero(sizes[level + 1 :] >= sizes[level])
         if sizes[level] == 0 and math.isnan(scores[level]):
-            reasons.append("it has no curve")
+            reasons.append("no curve could be fitted to its scores")
         elif sizes[level] == 0:
             reasons.append(f"its score is at most {scores[level]:.3f}, and {needed:.3f} is needed")
         elif len(coarser):

@@ -79,7 +79,7 @@ def simplify(
     base = Base(mesh, name)
     base.with_normals(normals)
     simplifier = (QuadricSimplifier if method == "fast" else MeshoptSimplifier)(base.surface, base.places)
-    levels = [Level(scene=base.scene)]
+    levels, missing = [Level(scene=base.scene)], []
     with progress.bar("simplifying") as report:
         for number, share in enumerate(shares):
             report(number, len(shares))
@@ -88,9 +88,11 @@ def simplify(
             if level is not None and level.triangle_count < levels[-1].triangle_count:
                 levels.append(level)
             else:
-                notes = [levels[-1].note, f"ratio {share:g} can't be reached"]
-                levels[-1] = replace(levels[-1], note="; ".join(filter(None, notes)))
+                missing.append(f"{100.0 * share:.3g}")
         report(len(shares), len(shares))
+    if missing:
+        text = f"the simplifier found no level with {', '.join(missing)} % of the triangles"
+        levels[-1] = replace(levels[-1], note="; ".join(filter(None, [levels[-1].note, text])))
     return Levels(levels, name=base.name, frame=base.frame)
 
 

@@ -14,6 +14,8 @@ use crate::base::memory::try_with_capacity;
 
 /// Number of steps that are sorted at a time, unless one class has more.
 const STEPS_PER_BATCH: u32 = 1 << 14;
+/// A large step that does not fit is taken first, before others, if the mean score may rise by more than this.
+const WORTH_A_STEP: f64 = 0.005;
 /// A selection ends when at most 1/1000 of the budget remains, so that fewer steps have to be sorted.
 const BUDGET_PER_REMAINDER: u64 = 1000;
 
@@ -38,8 +40,10 @@ pub(super) struct Filling {
     pub remaining: u64,
     /// The selection ends when at most this number of triangles remains.
     sufficient: u64,
-    /// Slope of the first step that does not fit; 0 if all fit.
-    pub slope: f64,
+    /// The first step that does not fit; `None` if all fit.
+    pub first_without_room: Option<Step>,
+    /// Most that all steps can gain, known once a step does not fit: a share of this step would spend the budget.
+    greatest_gain: f64,
     pub gain: f64,
     levels: Vec<(u32, u16)>,
     /// Objects that take no later step.
@@ -65,7 +69,8 @@ impl Filling {
             }
             if step.triangles > self.remaining {
                 if self.stopped.is_empty() {
-                    self.slope = step.slope;
+                    self.first_without_room = Some(*step);
+                    self.greatest_gain = self.gain + step.gain * self.remaining as f64 / step.triangles as f64;
                 }
                 self.stopped.insert(step.object);
                 if self.remaining < least {
@@ -242,6 +247,9 @@ impl Plan<'_> {
         }
         filling.take(cheaper);
         self.fill_from(next, &mut filling)?;
+        if self.is_far_from_greatest(&filling) {
+            return Ok(None);
+        }
         Ok(Some(Purchase::new(price, class_of_price, budget, score, filling)))
     }
 
@@ -261,7 +269,45 @@ impl Plan<'_> {
             filling.take(&self.steps_between(lowest, highest)?);
             self.fill_from(lowest - 1, &mut filling)?;
         }
-        Ok(Purchase::new(filling.slope / self.rater.scale, highest, budget, score, filling))
+        let price = filling.first_without_room.map_or(0.0, |step| step.slope) / self.rater.scale;
+        let first_taken = match filling.first_without_room {
+            Some(step) if self.is_far_from_greatest(&filling) => self.buy_step_first(&step, price, budget)?,
+            _ => None,
+        };
+        let bought = Purchase::new(price, highest, budget, score, filling);
+        Ok(first_taken.filter(|other| other.score > bought.score).unwrap_or(bought))
+    }
+
+    /// Returns whether the mean score may be lower by more than `WORTH_A_STEP` than that of the best choice. This
+    /// happens if one object has most of the weight, and its step takes much of the budget.
+    fn is_far_from_greatest(&self, filling: &Filling) -> bool {
+        filling.greatest_gain - filling.gain > WORTH_A_STEP * self.ratings.ledger.weight
+    }
+
+    /// Buys an object's steps up to the given one, and then those of the others in order; `None` if the budget does not
+    /// suffice.
+    fn buy_step_first(&self, step: &Step, price: f64, budget: u64) -> Result<Option<Purchase>> {
+        // Triangles and gain of the object's own steps that are not in the sums above a class.
+        let own = |class: u16| -> Result<(u64, f64)> {
+            let steps = self.steps(vec![step.object], NEVER + 1..=class, |own| own.to >= step.to)?;
+            Ok((steps.iter().map(|own| own.triangles).sum(), steps.iter().map(|own| own.gain).sum()))
+        };
+        let fits = |class: u16| Ok(self.sums_above(class).0 + own(class)?.0 <= budget);
+        let (mut low, mut high) = (NEVER, ALWAYS - 1);
+        if !fits(high)? {
+            return Ok(None);
+        }
+        while high - low > 1 {
+            let middle = low + (high - low) / 2;
+            if fits(middle)? { high = middle } else { low = middle }
+        }
+        let ((triangles, score), (own_triangles, own_gain)) = (self.sums_above(high), own(high)?);
+        let mut filling = self.new_filling(budget - triangles - own_triangles, budget);
+        filling.gain = own_gain;
+        filling.levels.push((step.object, step.to));
+        filling.stopped.insert(step.object);
+        self.fill_from(high, &mut filling)?;
+        Ok(Some(Purchase::new(price, high, budget, score, filling)))
     }
 
     /// Writes the levels. Counts the objects decided by culling, by a model with one level, and by the price.

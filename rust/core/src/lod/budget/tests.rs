@@ -107,6 +107,6 @@ fn smaller_steps_are_taken_after_a_step_that_does_not_fit() {
     filling.take(&steps);
     // An object whose step did not fit takes no later step.
     filling.take(&[step(3, 0, 1), step(4, 1, 10)]);
-    assert_eq!((filling.remaining, filling.gain, filling.slope), (0, 3.0, 0.5));
+    assert_eq!((filling.remaining, filling.gain, filling.first_without_room.unwrap().slope), (0, 3.0, 0.5));
     assert_eq!(filling.levels(), [(0, 1), (2, 1), (4, 1)]);
 }
