@@ -46,6 +46,9 @@ def test_the_document_is_valid_and_its_files_are_there(compared: tuple[Path, dic
                 picture.load()
     assert document["thresholds"] == []
     assert document["triangles_left"] < document["triangles"]
+    assert document["pictures"]["conventional"]["unmeasured"].keys() <= {"flip"}
+    lacking = {"tear", "tear_kink", "discontinuity", "discontinuity_p99", "boundary"}
+    assert document["pictures"]["impostors"]["unmeasured"].keys() - {"flip"} == lacking
 
 
 @pytest.mark.slow
@@ -113,6 +116,9 @@ def test_reports_show_every_picture_and_measure(compared: tuple[Path, dict[str, 
             assert f"{values['psnr']:.4g}" in report
             torn = values["discontinuity"]
             assert ("not measurable" if torn is None else f"{torn:.4g}") in report
+        for measure, reason in values["unmeasured"].items():
+            assert values[measure] is None
+            assert reason in text
 
 
 @pytest.mark.parametrize(

@@ -34,6 +34,22 @@ def test_an_object_of_any_size_is_visible(size: float, tmp_path: Path, capsys: p
     assert command(capsys, "render", "-i", tmp_path / "light", "-o", tmp_path / "light.png", *SMALL)[0] == 0
     for name in ("scene.png", "preview.png", "light/truth.png", "light/continuous.png", "light.png"):
         assert 0.02 < share_of_changes(tmp_path / name) < 0.5, name
+    report = json.loads((tmp_path / "light" / "report.json").read_text(encoding="utf-8"))
+    assert len({row["triangles"] for row in report["load_curve"]}) > 2
+
+
+@pytest.mark.parametrize(("roof", "view"), [(False, "overview from above"), (True, "from ")])
+def test_previews_show_open_scenes_from_above_and_halls_from_within(
+    roof: bool, view: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    hall = trimesh.creation.box((90, 6, 90)).apply_translation((0, 3, 0))
+    hall.invert()
+    blocks = [trimesh.creation.box((9, 6, 9)).apply_translation((x, 3, z)) for x in (-30, 30) for z in (-30, 0, 30)]
+    trimesh.util.concatenate([*blocks, hall] if roof else blocks).export(tmp_path / "flat.stl")
+    picture = tmp_path / "preview.png"
+    status, out, _ = command(capsys, "info", "-i", tmp_path / "flat.stl", "--preview", picture, "--json")
+    assert (status, document(out, "info")["preview"]["view"].startswith(view)) == (0, True)
+    assert share_of_changes(picture) > 0.02
 
 
 def test_a_folder_is_shown_from_the_view_of_its_report(

@@ -11,6 +11,7 @@ import pytest
 import typer
 from typer.testing import CliRunner
 
+import nearfar as nf
 from nearfar.cli import _app
 from nearfar.cli._groups import Options, expand
 
@@ -94,3 +95,23 @@ def test_commands_have_few_parameters() -> None:
     many = {f.__name__: n for f in functions if (n := len(inspect.signature(f).parameters)) > MAX_PARAMETERS}
     assert len(functions) > 10
     assert many == {}
+
+
+@pytest.mark.parametrize(
+    ("message", "shown"),
+    [
+        ("width: expected 1, got 0", "--width: expected 1, got 0"),
+        ("width[2]: expected 1", "--width[2]: expected 1"),
+        ("a.glb: damaged; depth='drop' leaves it out", "a.glb: damaged; --depth drop leaves it out"),
+        ("expected none with depth= (width=0.5, loud=True)", "expected none with --depth (--width 0.5, --loud)"),
+        ("http://a/?width=2: other=3, width is 4", "http://a/?width=2: other=3, width is 4"),
+    ],
+)
+def test_errors_name_options_not_parameters(message: str, shown: str) -> None:
+    def fail(*, size: Size, loud: bool = False) -> None:
+        raise nf.SceneError(message)
+
+    app = typer.Typer()
+    app.command()(expand(fail))
+    result = CliRunner().invoke(app, [])
+    assert (type(result.exception), str(result.exception)) == (nf.SceneError, shown)

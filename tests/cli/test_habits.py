@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+import subprocess
+import sys
 import time
 from pathlib import Path
 
@@ -10,6 +12,7 @@ import pytest
 
 from nearfar._base import progress
 from nearfar.cli._app import app
+from nearfar.cli._output import Clock
 from tests.support.cli_cases import city as city, command, document
 
 
@@ -55,6 +58,10 @@ def test_progress_is_written_as_lines_without_a_terminal(
                 clock[0] += 1.0
                 report(1000 + second, 2000)
         assert capsys.readouterr().err.splitlines()[-1] == "nearfar: resuming, 51 %, 20 s, about 16 min left"
+        with Clock().step("impostors"), progress.bar("casting rays") as report:
+            clock[0] += 10.0
+            report(1, 2)
+        assert capsys.readouterr().err == "nearfar: impostors: casting rays, 50 %, 10 s, about 10 s left\n"
         monkeypatch.setenv("NEARFAR_PROGRESS", "0")
         with progress.bar("hidden") as report:
             clock[0] += 60.0
@@ -70,3 +77,20 @@ def test_help_and_tables_use_plain_words(city: Path, capsys: pytest.CaptureFixtu
     assert "near zone" in " ".join(texts)
     for words in ("near, within r1", "intermediate, between r1 and r2", "they cross r2"):
         assert words in texts[-1]
+
+
+def test_ctrl_c_during_imports_ends_quietly() -> None:
+    program = """
+import os, signal, sys
+from nearfar.cli import main
+
+class Finder:
+    def find_spec(self, name, *_):
+        if name == "typer":
+            os.kill(os.getpid(), signal.SIGINT)
+
+sys.meta_path.insert(0, Finder())
+main()
+"""
+    ended = subprocess.run([sys.executable, "-c", program, "info", "city"], capture_output=True, text=True, check=False)
+    assert (ended.returncode, ended.stdout, ended.stderr) == (130, "", "nearfar: interrupted\n")

@@ -44,6 +44,7 @@ def test_a_tree_is_built_shown_updated_checked_and_exported(
     status, out, _ = command(capsys, "orthoview", "info", path, "--preview", picture)
     assert status == 0
     assert f"{expected.held['leaves']:,} not empty" in out
+    assert f"rendered the views of {expected.done['drawn']} leaves; found" in " ".join(out.split())
     np.testing.assert_array_equal(np.asarray(Image.open(picture)), expected.preview())
     less = tmp_path / "less.glb"
     assert command(capsys, "cut", "-i", city, "-o", less, "--box=-999,-999,-21,999")[0] == 0
@@ -75,8 +76,8 @@ def test_the_side_of_leaves_is_chosen_and_explained(
         patched.setattr(_leaves.Leaves, "_leaf", interrupt)
         status, _, err = command(capsys, *options)
     assert status == 130
-    assert f"nearfar: --cell {choice.cell:g}: {choice}" in err
-    assert re.search(r"nearfar: about [0-9,]+ leaves, [0-9]+ (s|min) in one process", err)
+    assert f"nearfar: chose --cell {choice.cell:g}: {choice}" in err
+    assert re.search(r"nearfar: the build of about [0-9,]+ leaves may take [0-9]+ (s|min) in one process", err)
     status, out, _ = command(capsys, "orthoview", "info", path, "--json")
     shown = document(out, "orthoview_info")
     assert (shown["cell"], shown["unbuilt"]) == (choice.cell, np.prod(shown["leaves"]))

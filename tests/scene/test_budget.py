@@ -5,8 +5,6 @@ from __future__ import annotations
 import gzip
 import io
 import os
-import subprocess
-import sys
 import tracemalloc
 import zipfile
 import zlib
@@ -20,8 +18,9 @@ import nearfar as nf
 from nearfar._base.errors import UnusableError
 from nearfar._scene import budget as budgets, load as loader
 from nearfar._scene.budget import Budget
-from tests.support import PEAK, need
+from tests.support import need
 from tests.support.gltf_cases import gltf
+from tests.support.refused import refusals
 
 BALL = trimesh.creation.icosphere(2)
 
@@ -35,8 +34,8 @@ def bomb(size: int) -> bytes:
 @pytest.mark.parametrize("size", [0, 1, 1 << 22, (1 << 22) + 1, 9_000_000])
 def test_packed_bytes_are_unpacked(size: int) -> None:
     data = os.urandom(size)
-    assert Budget().unpacked(gzip.compress(data, 1)) == data
-    assert Budget().unpacked(gzip.compress(data, 1) + gzip.compress(b"more") + bytes(512)) == data + b"more"
+    assert Budget().unpacked(gzip.compress(data, 0)) == data
+    assert Budget().unpacked(gzip.compress(data, 0) + gzip.compress(b"more") + bytes(512)) == data + b"more"
 
 
 @pytest.mark.parametrize("cut", [5, -1, -9])
@@ -60,14 +59,11 @@ def test_the_limit_follows_the_bytes_read() -> None:
 
 def test_small_files_that_expand_to_gigabytes_are_refused(tmp_path: Path) -> None:
     path = tmp_path / "a.ply.gz"
-    path.write_bytes(16 * bomb(1 << 26))
+    path.write_bytes(64 * bomb(1 << 24))
     need("linux")
-    code = f"{PEAK}\nimport sys, nearfar as nf\nstart = peak()\ntry: nf.Scene.load(sys.argv[1])\n"
-    code += "except nf.SceneError as error: print(error)\nprint(peak() - start)"
-    done = subprocess.run([sys.executable, "-c", code, path], capture_output=True, text=True, timeout=600, check=True)
-    message, more = done.stdout.splitlines()
+    (message,), more = refusals(path, None)
     assert "a.ply.gz: it unpacks to more than 268,435,456 bytes" in message
-    assert int(more) < 1 << 30
+    assert more < 1 << 30
 
 
 def test_archives_are_measured_before_they_are_unpacked(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -194,7 +194,7 @@ def test_areas_of_a_real_model_equal_newell() -> None:
     local = surfaces.local()
     off = 0
     assert len(surfaces.surfaces) - 1 > 5000
-    for number in np.random.default_rng(4).choice(len(surfaces.surfaces) - 1, 800, replace=False):
+    for number in np.random.default_rng(4).choice(len(surfaces.surfaces) - 1, 300, replace=False):
         newell = np.zeros(3)
         for ring in range(surfaces.surfaces[number], surfaces.surfaces[number + 1]):
             corners = local[surfaces.rings[ring] : surfaces.rings[ring + 1]]

@@ -111,10 +111,7 @@ def test_default_weights_move_morphed_vertices(tmp_path: Path) -> None:
     meshes = mesh(targets=[{"POSITION": 2}, {"POSITION": 0, "NORMAL": 3}])
     nodes: list[dict[str, Any]] = [{"mesh": 0}, {"mesh": 0, "weights": [0, 0]}, {"mesh": 0, "weights": [0.5, 1]}]
     meshes[0]["weights"] = [2, 0]
-    for count, expected in (
-        (1, [CORNERS + 2 * step]),
-        (3, [CORNERS + 2 * step, CORNERS, 2 * CORNERS + step / 2]),
-    ):
+    for count, expected in ((1, [CORNERS + 2 * step]), (3, [CORNERS + 2 * step, CORNERS, 2 * CORNERS + step / 2])):
         content = document([changes, turn], meshes=meshes, nodes=nodes, scenes=[{"nodes": list(range(count))}])
         scene = load(tmp_path, content)
         triangles = sorted(np.round(scene.triangles(), 5).tolist())

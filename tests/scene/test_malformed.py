@@ -222,10 +222,7 @@ def primitive(**changes: Any) -> bytes:
             triangle(nodes=[{"mesh": 0, "children": [1]}, {"mesh": 0, "children": [0]}]),
             "scene 0 lists node 0, .* child of node 1",
         ),
-        (
-            triangle(nodes=[{"children": [1, 1]}, {"mesh": 0}]),
-            "node 1 is a child of node 0 and again of node 0",
-        ),
+        (triangle(nodes=[{"children": [1, 1]}, {"mesh": 0}]), "node 1 is a child of node 0 and again of node 0"),
         (
             triangle(nodes=[{"children": [2]}, {"children": [2]}, {"mesh": 0}], scenes=[{"nodes": [0, 1]}]),
             "node 2 is a child of node 0 and again of node",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -44,11 +45,16 @@ def test_notes_and_invalid_faces_are_listed() -> None:
     assert "a note <&>" in shown.text
 
 
-def test_the_camera_frames_the_triangles() -> None:
+@pytest.mark.parametrize("make", [lambda: nf.datasets.room(), lambda: grid(20), lambda: grid(3)])
+def test_the_dense_part_fills_the_picture(make: Callable[[], nf.Scene]) -> None:
     """Four distant corners of ground must not shrink the rest to a dot."""
-    room = nf.datasets.room()
-    camera = preview.dense_view(room._core, room.bounds)
-    assert np.linalg.norm(np.array(camera.position) - room.bounds.mean(axis=0)) < 150.0
+    scene = make()
+    camera = preview.dense_view(scene._core, scene.bounds)
+    low, high = preview.dense_bounds(scene._core, scene.bounds)
+    points = scene.triangles().reshape(-1, 3)
+    seen = camera.project(points[((points >= low) & (points <= high)).all(axis=1)])[:, :2] / preview.SIZE
+    assert ((seen > 0.0) & (seen < 1.0)).all()
+    assert np.ptp(seen, axis=0).max() > 0.7
 
 
 def test_large_scenes_are_sampled_without_building_their_trees(monkeypatch: pytest.MonkeyPatch) -> None:

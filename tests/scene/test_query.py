@@ -46,7 +46,7 @@ def test_queries_return_touching_triangles_with_their_attributes(scene: nf.Scene
 
 def test_many_small_boxes_return_touching_triangles(scene: nf.Scene) -> None:
     random, corners = np.random.default_rng(5), scene.triangles()
-    for _ in range(40):
+    for _ in range(15):
         middle = random.uniform(-9, 9, 3)
         size = 10 ** random.uniform(-3, 0.8, 3)
         aabb = about(scene, [middle - size, middle + size])

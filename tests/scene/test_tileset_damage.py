@@ -11,19 +11,7 @@ import numpy as np
 import pytest
 
 import nearfar as nf
-from tests.support.tile_cases import (
-    QUAD,
-    b3dm,
-    cmpt,
-    glb,
-    i3dm,
-    instanced,
-    refusal,
-    subtree,
-    tile,
-    tileset,
-    write,
-)
+from tests.support.tile_cases import QUAD, b3dm, cmpt, glb, i3dm, instanced, refusal, subtree, tile, tileset, write
 
 CUBE = b3dm(glb())
 

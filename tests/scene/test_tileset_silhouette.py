@@ -76,14 +76,7 @@ def test_a_cut_keeps_its_silhouette(tmp_path: Path) -> None:
             view = nf.Camera.look_at(eye, target, fov=nf.Fov.symmetric(70, 16 / 10), size=(640, 400))
             truth, seen = (nf.render(scene, view, samples=4, channels=("color", "range")) for scene in (whole, cut))
             sky = [np.isinf(np.asarray(frame.range)) for frame in (truth, seen)]
-            found.append(
-                (
-                    share,
-                    cut.triangle_count,
-                    float(nf.ssim(truth, seen)),
-                    np.mean(sky[0] != sky[1]),
-                )
-            )
+            found.append((share, cut.triangle_count, float(nf.ssim(truth, seen)), np.mean(sky[0] != sky[1])))
     # Parents with few triangles are rough: the last cut is the first tile alone.
     bounds = {0.8: (0.87, 0.04), 0.6: (0.86, 0.045), 0.41: (0.79, 0.14)}
     for share, _, similarity, wrong in found:

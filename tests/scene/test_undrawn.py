@@ -43,14 +43,8 @@ def saved_near(scene: nf.Scene, folder: Path) -> Path:
         ({"alphaMode": "BLEND"}, "with blending drawn opaque"),
         ({"pbrMetallicRoughness": {}}, "with metal or gloss drawn matt"),
         ({"pbrMetallicRoughness": {"metallicFactor": 0, "roughnessFactor": 0.5}}, "with metal or gloss drawn matt"),
-        (
-            {"extensions": {"KHR_materials_sheen": {}}},
-            "with the extension KHR_materials_sheen drawn without it",
-        ),
-        (
-            {"extensions": {"ACME_glow": {}}},
-            "with the extension ACME_glow drawn and saved without it",
-        ),
+        ({"extensions": {"KHR_materials_sheen": {}}}, "with the extension KHR_materials_sheen drawn without it"),
+        ({"extensions": {"ACME_glow": {}}}, "with the extension ACME_glow drawn and saved without it"),
         (
             {
                 "pbrMetallicRoughness": {"metallicFactor": 0, "baseColorTexture": {"index": 2}},

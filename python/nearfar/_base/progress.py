@@ -33,6 +33,8 @@ _visible_bar: _Bar | None = None
 """The visible bar. Only one is shown at a time, so nested bars stay invisible."""
 _hidden = contextvars.ContextVar("_hidden", default=False)
 """Whether progress is hidden; separate for each thread."""
+_step = contextvars.ContextVar("_step", default="")
+"""Name set by `step`; separate for each thread."""
 _watcher: contextvars.ContextVar[Callable[[], None] | None] = contextvars.ContextVar("_look", default=None)
 """Function set by `watched`, called at each report; separate for each thread."""
 
@@ -45,6 +47,16 @@ def bar(label: str) -> Iterator[Report]:
     """
     with closing(_Bar(label)) as visible:
         yield visible.report
+
+
+@contextmanager
+def step(name: str) -> Iterator[None]:
+    """Name the step of a command before the labels of all bars that begin within the block, in this thread."""
+    token = _step.set(name)
+    try:
+        yield
+    finally:
+        _step.reset(token)
 
 
 @contextmanager
@@ -94,7 +106,8 @@ def look() -> None:
 
 class _Bar:
     def __init__(self, label: str) -> None:
-        self._label = label
+        name = _step.get()
+        self._label = f"{name}: {label}" if name and name != label else label
         self._started = time.monotonic()
         self._is_silent = _hidden.get() or os.environ.get("NEARFAR_PROGRESS", "").strip() == "0"
         self._progress: Progress | None = None

@@ -35,9 +35,21 @@ _MIRRORED = "turned"
 """Extra of nodes whose mesh has reversed faces."""
 
 
-def encode(core: _core.Scene, names: tuple[str, ...], undrawn: Mapping[int, GltfMaterial]) -> bytes:
-    """Encode all content of a scene as a GLB; the scene's origin becomes the root node's translation."""
-    return Encoder(core, names, undrawn).encode()
+EXTRAS_KEY = "nearfar"
+"""Key of the extras of a file's scene that store nearfar's settings."""
+
+
+def encode(
+    core: _core.Scene,
+    names: tuple[str, ...],
+    undrawn: Mapping[int, GltfMaterial],
+    extras: Mapping[str, Any] | None = None,
+) -> bytes:
+    """Encode all content of a scene as a GLB; the scene's origin becomes the root node's translation.
+
+    `extras` are stored in the extras of the file's scene.
+    """
+    return Encoder(core, names, undrawn).encode(extras)
 
 
 class Encoder:
@@ -60,8 +72,8 @@ class Encoder:
         self._surfaces = SurfaceWriter(self._writer, self._parts, undrawn, encode_image)
         self._written: dict[tuple[int, bool, bool], _GltfMeshes] = {}
 
-    def encode(self) -> bytes:
-        """Encode the whole scene."""
+    def encode(self, extras: Mapping[str, Any] | None = None) -> bytes:
+        """Encode the whole scene; `extras` are stored in the extras of the file's scene."""
         numbers = [number for number, mesh in enumerate(self._parts["meshes"]) if mesh.face_count]
         children = [self.place(number) for number in numbers]
         static_count = sum(number < self._parts["standing_count"] for number in numbers)
@@ -71,7 +83,10 @@ class Encoder:
         if children:
             root["children"] = children
         self.nodes.append(root)
-        return self.finish([len(self.nodes) - 1])
+        roots = [len(self.nodes) - 1]
+        return self.finish(
+            roots, **({} if extras is None else {"scenes": [{"nodes": roots, "extras": {EXTRAS_KEY: dict(extras)}}]})
+        )
 
     def finish(self, roots: list[int], **fields: Any) -> bytes:
         """Encode a file whose scene has the given root nodes; `fields` are added to its document."""

@@ -187,6 +187,9 @@ _FORMAT_NAMES = {"obj": "Wavefront OBJ", "dae": "COLLADA", "step": "STEP", "stp"
 _ARCHIVES = {"zip", "tar", "tgz", "bz2", "7z", "rar"}
 
 _CONVERSION_ADVICE = {
+    **dict.fromkeys(
+        ("npy", "npz"), "pass its arrays to nearfar.Scene.from_arrays: vertices of shape (N, 3), faces of shape (M, 3)"
+    ),
     "blend": "export it from Blender as glTF (.glb)",
     "fbx": "import it into Blender and export it as glTF (.glb), or convert it with FBX2glTF or Assimp",
     "3ds": "import it into Blender 4.2 or newer and export it as glTF (.glb), or convert it with Assimp",

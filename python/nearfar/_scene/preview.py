@@ -26,8 +26,14 @@ SUN = np.array([0.3, 0.9, 0.33])
 VIEW_SAMPLE_COUNT = 20_000
 """Number of sampled triangles that determine the dense part of the scene."""
 
-CAMERA_DIRECTION = np.array([0.45, 0.5, 0.74])
-"""Unit direction from the middle of the scene towards the camera."""
+CAMERA_DIRECTION = np.array([0.45, 0.62, 0.74])
+"""Direction from the middle of the scene towards the camera."""
+
+DENSE_SHARE = 0.6
+"""Size of the dense part, as a share of the scene's, from which the whole scene is shown."""
+
+MARGIN = 1.1
+"""Ratio of the camera's distance to the least distance at which the dense part is in the picture."""
 
 
 def html(core: _core.Scene, report: Report, bounds: NDArray[np.float64]) -> str:
@@ -37,7 +43,7 @@ def html(core: _core.Scene, report: Report, bounds: NDArray[np.float64]) -> str:
         ("triangles", f"{report.triangles:,}"),
         ("objects", f"{report.objects:,} in {count(report.instances, 'instance')} of {meshes}"),
         ("moving", count(report.dynamic, "instance")),
-        ("materials", f"{count(report.materials, 'material')}, {count(report.textures, 'texture')}"),
+        ("materials", f"{count(report.materials, 'material')}, {count(report.textures, 'drawn texture')}"),
     ]
     if report.degenerate_faces:
         facts.append(("without an area", count(report.degenerate_faces, "face")))
@@ -103,13 +109,38 @@ def sample_mask(total: int, sample_count: int) -> NDArray[np.bool_]:
     return mask
 
 
-def dense_view(core: _core.Scene, bounds: NDArray[np.float64]) -> Camera:
-    """Camera that sees the middle nine tenths of the triangles: wide ground and distant hills have few of them."""
-    sample = core.subset_of_triangles(sample_mask(core.triangle_count, VIEW_SAMPLE_COUNT)).triangles()
-    centroids = sample.mean(axis=1, dtype=np.float64)
+def dense_view(core: _core.Scene, bounds: NDArray[np.float64], size: tuple[int, int] = SIZE) -> Camera:
+    """Camera that looks down at the dense part of a scene, which fills the picture."""
+    low, high = dense_bounds(core, bounds)
+    points = np.clip(_sample(core).reshape(-1, 3) + np.array(core.origin), low, high)
+    middle, fov = (low + high) / 2.0, Fov.symmetric(60.0, size[0] / size[1])
+    backwards = CAMERA_DIRECTION / np.linalg.norm(CAMERA_DIRECTION)
+    right = np.cross([0.0, 1.0, 0.0], backwards)
+    right /= np.linalg.norm(right)
+    # A point is in the picture if its offset is at most its depth times the tangent of half the field of view.
+    depth, eye, distance = (middle - points) @ backwards, middle, 1e-3
+    for axis, tangent in ((right, fov.right), (np.cross(backwards, right), fov.up)):
+        offset = (points - middle) @ axis
+        greatest, least = (offset - tangent * depth).max(), (offset + tangent * depth).min()
+        eye = eye + 0.5 * (greatest + least) * axis
+        distance = max(distance, 0.5 * (greatest - least) / tangent)
+    eye = eye + MARGIN * distance * backwards
+    return Camera.look_at(eye, eye - distance * backwards, fov=fov, size=size)
+
+
+def dense_bounds(core: _core.Scene, bounds: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Bounds of the middle nine tenths of the triangles, or of all if these are not much larger.
+
+    Wide ground and distant hills have few triangles.
+    """
+    centroids = _sample(core).mean(axis=1)
     low, high = np.percentile(centroids, [5.0, 95.0], axis=0) + np.array(core.origin)
     middle, margin = (low + high) / 2.0, 0.65 * (high - low)
     low, high = np.maximum(middle - margin, bounds[0]), np.minimum(middle + margin, bounds[1])
-    middle, radius = (low + high) / 2.0, max(float(np.linalg.norm(high - low)) / 2.0, 1e-3)
-    eye, fov = middle + 2.2 * radius * CAMERA_DIRECTION, Fov.symmetric(60.0, SIZE[0] / SIZE[1])
-    return Camera.look_at(eye, middle, fov=fov, size=SIZE)
+    is_most = np.linalg.norm(high - low) >= DENSE_SHARE * np.linalg.norm(bounds[1] - bounds[0])
+    return (bounds[0], bounds[1]) if is_most else (low, high)
+
+
+def _sample(core: _core.Scene) -> NDArray[np.float64]:
+    """About `VIEW_SAMPLE_COUNT` triangles (N, 3, 3), relative to the scene's origin."""
+    return core.subset_of_triangles(sample_mask(core.triangle_count, VIEW_SAMPLE_COUNT)).triangles().astype(np.float64)

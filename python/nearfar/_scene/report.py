@@ -78,7 +78,7 @@ class Report:
             f"{count(self.triangles, 'triangle')} in {count(self.instances, 'instance')}"
             f" of {count(self.meshes, 'mesh', 'meshes')}",
             f"{count(self.objects, 'object')}, {count(self.dynamic, 'dynamic instance')}",
-            f"{count(self.materials, 'material')}, {count(self.textures, 'texture')}",
+            f"{count(self.materials, 'material')}, {count(self.textures, 'drawn texture')}",
         ]
         if self.degenerate_faces:
             counts.append(f"{count(self.degenerate_faces, 'face')} without an area")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 import sys
 import warnings
 from collections.abc import Sequence
@@ -28,8 +29,8 @@ from nearfar.cli import (
 )
 from nearfar.cli._groups import Command, expand
 
-INTERRUPT_STATUS = 130
-"""Exit status after Ctrl-C: 128 plus the signal's number, as in shells."""
+INTERRUPT_STATUS = 128 + signal.SIGINT
+"""Exit status after Ctrl-C, as in shells."""
 
 app = typer.Typer(
     name="nearfar",
@@ -100,7 +101,7 @@ def run(arguments: Sequence[str]) -> int:
     except OSError as error:
         return _print_error(f"{error.filename}: {reason_of(error)}" if error.filename else str(error), 1)
     except (nf.Error, ValueError, ImportError) as error:
-        return _print_error(str(error).replace("on_invalid='drop'", "--on-invalid drop"), 1)
+        return _print_error(str(error), 1)
     return 0
 
 

@@ -211,9 +211,9 @@ def _measures_document(comparison: nf.Comparison, tear: nf.metrics.BoundaryTear 
     """Return rounded measures for the report, without the map of discontinuity.
 
     Measures along the boundary are None if no pixel there sees both sides, because one side occludes the other, and
-    for impostors, whose pixels know the place of the quad but not that of the surface that it shows.
+    for impostors, which have no `tear`. `unmeasured` has the reason for each missing measure.
     """
-    return {
+    values = {
         "tear": None if tear is None else rounded(tear.tear),
         "tear_kink": None if tear is None else rounded(tear.kink),
         "tear_shared": None if tear is None else rounded(tear.shared),
@@ -227,6 +227,19 @@ def _measures_document(comparison: nf.Comparison, tear: nf.metrics.BoundaryTear 
         "boundary": rounded(comparison.boundary_discontinuity) if tear is not None and tear.shared else None,
         "boundary_pixels": comparison.boundary_pixels,
     }
+    reasons = _thresholds.UNMEASURED
+    if tear is None:
+        reasons = dict.fromkeys(reasons, _thresholds.UNMEASURED_IMPOSTORS) | {"flip": reasons["flip"]}
+    return values | {"unmeasured": {name: reason for name, reason in reasons.items() if values[name] is None}}
+
+
+def _footnotes(document: dict[str, Any]) -> list[str]:
+    """Return a sentence for each reason why rows of the table of measures are not measurable."""
+    methods: dict[str, list[str]] = {}
+    for method, values in document["pictures"].items():
+        for reason in dict.fromkeys(values["unmeasured"].values()):
+            methods.setdefault(reason, []).append(method)
+    return [f"{', '.join(names)}: {reason}" for reason, names in methods.items()]
 
 
 def _shows_boundary(pictures: dict[str, dict[str, Any]]) -> bool:
@@ -236,15 +249,20 @@ def _shows_boundary(pictures: dict[str, dict[str, Any]]) -> bool:
 
 def _rows(document: dict[str, Any], output: Path) -> list[tuple[str, str]]:
     pictures = document["pictures"]
-    rows = [(label, " → ".join(_text(key, values) for values in pictures.values())) for key, label in MEASURES.items()]
+    rows = [(label, " | ".join(_text(key, values) for values in pictures.values())) for key, label in MEASURES.items()]
     return [
         ("triangles", triangles_text(document)),
-        *([("with impostors", count(with_quads))] if (with_quads := document["triangles_of_impostors"]) else []),
+        *(
+            [("triangles with impostors", count(with_quads))]
+            if (with_quads := document["triangles_of_impostors"])
+            else []
+        ),
         ("centre, user", f"{metres(document['center'])}; {metres(document['user'])}"),
         ("views", _views_text(document)),
         *radii_rows(document),
-        ("", " → ".join(pictures)),
+        ("", " | ".join(pictures)),
         *rows,
+        *(("not measurable" if not number else "", text) for number, text in enumerate(_footnotes(document))),
         *((check["option"], _thresholds.result(check)) for check in document["thresholds"]),
         *note_rows(document),
         ("written to", str(output)),
@@ -302,5 +320,7 @@ def _report(document: dict[str, Any]) -> _page.Page:
     views = _views_text(document).capitalize()
     texts = {"method": document["method"], "folds": folds, "views": views, **reduction_texts(document)}
     notes = [f"Note: {note}." for note in (document["unit_note"], *document["findings"]) if note]
+    footnotes = [f"Not measurable for {text}." for text in _footnotes(document)]
     title = f"Near-far comparison of {document['source']}"
-    return _page.Page(document, title, [*notes, *_page.paragraphs("comparison.md", **texts)], CAPTIONS, tables)
+    paragraphs = [*notes, *_page.paragraphs("comparison.md", **texts), *footnotes]
+    return _page.Page(document, title, paragraphs, CAPTIONS, tables)

@@ -15,6 +15,7 @@ from typing import Annotated, Any, Literal, get_args, get_origin, get_type_hints
 import typer
 from typer.models import ArgumentInfo
 
+import nearfar as nf
 from nearfar._base import check
 
 Command = Callable[..., None]
@@ -67,9 +68,10 @@ def expand(function: Command, **defaults: Any) -> Command:
     """Return a command in which each group among the parameters is replaced by an option for each of its fields.
 
     The parameters of `function` are options or groups of options. Groups are created before the function is called, so
-    that they can check their options. Values that a `Literal` type does not list are refused. In error messages that
-    begin with the name of a parameter or field, it is replaced by the name of the option. The value of --input can also
-    be the command's argument, unless the command has another one. `defaults` override defaults of options, by name.
+    that they can check their options. Values that a `Literal` type does not list are refused. In error messages, the
+    name of a parameter or field at the beginning, and name='value', are replaced by the option. The value of --input
+    can also be the command's argument, unless the command has another one. `defaults` override defaults of options, by
+    name.
     """
     groups: dict[str, list[str]] = {}
     options: dict[str, _Option] = {}
@@ -96,11 +98,9 @@ def expand(function: Command, **defaults: Any) -> Command:
                     check.choice(options[name].flag, value, options[name].values)
             arguments = {name: hints[name](**{key: values.pop(key) for key in keys}) for name, keys in groups.items()}
             function(**arguments, **values)
-        except ValueError as error:
-            begin = re.match(r"\w+(?=(\[\d+\])?: )", str(error))
-            if begin is None or begin[0] not in options:
-                raise
-            raise ValueError(options[begin[0]].flag + str(error)[begin.end() :]) from None
+        except (ValueError, nf.Error) as error:
+            error.args = (_with_flags(str(error), {name: option.flag for name, option in options.items()}),)
+            raise
         finally:
             _given_names.reset(token)
 
@@ -113,6 +113,19 @@ def expand(function: Command, **defaults: Any) -> Command:
     command.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
     command.__annotations__ = {parameter.name: parameter.annotation for parameter in parameters}
     return command
+
+
+def _with_flags(message: str, flags: dict[str, str]) -> str:
+    """Replace parameters by options, given by name: at the beginning before a colon, and in name=value and name=."""
+
+    def replace(found: re.Match[str]) -> str:
+        if found["name"] not in flags:
+            return found[0]
+        value = found["value"].strip("'\"")
+        return flags[found["name"]] + ("" if value in ("", "True") else f" {value}") + found["end"]
+
+    message = re.sub(r"^(?P<name>\w+)(?P<value>)(?P<end>(\[\d+\])?: )", replace, message)
+    return re.sub(r"(?<![^\s(])(?P<name>[a-z]\w*)=(?P<value>'[^']*'|\"[^\"]*\"|[\w.+-]*\w|)(?P<end>)", replace, message)
 
 
 _NO_DEFAULTS = (MISSING, inspect.Parameter.empty, None)

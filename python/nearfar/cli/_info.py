@@ -6,11 +6,14 @@ import dataclasses
 from pathlib import Path
 from typing import Annotated, Any
 
+import numpy as np
 import typer
 
 import nearfar as nf
 from nearfar._base import files, formats
 from nearfar._reduce import folder
+from nearfar._scene import preview as overview
+from nearfar._trace.viewpoint import GROUND_SHAPE, is_roofed
 from nearfar.cli import _options as options, _own_files, _viewpoint
 from nearfar.cli._groups import flag, option
 from nearfar.cli._output import Clock, bytes_text, check_target, count, metres, show, triangles_text
@@ -19,7 +22,7 @@ from nearfar.cli._scenes import SceneOptions, is_reduced, open_reduced, open_sce
 
 VERSION = 1
 
-_LABELS = {"notes": "drawn differently", "used": "parts of the file used"}
+_LABELS = {"textures": "textures drawn", "notes": "drawn differently", "used": "parts of the file used"}
 """Labels of report fields that differ from their names."""
 
 PREVIEW = (480, 300)
@@ -41,7 +44,8 @@ def info(
     preview: Path | None = option(
         None,
         "FILE",
-        "Also render a small picture of the scene, .png; this also builds the scene's BVH and renders one frame.",
+        "Also render a small picture of the scene, .png: wide, open scenes and single objects from above, others from "
+        "a user's eye.",
     ),
     scene_options: SceneOptions,
     as_json: options.Json = False,
@@ -76,13 +80,13 @@ def info(
         rows += _reduced_rows(document["reduced"])
     if preview is not None:
         with clock.step("preview"):
-            _save_preview(loaded, scene, reduced or own, preview)
-        document["preview"] = {"file": str(preview), "seconds": clock.seconds["preview"]}
+            view = _save_preview(loaded, scene, reduced or own, preview)
+        document["preview"] = {"file": str(preview), "view": view, "seconds": clock.seconds["preview"]}
     if loaded is not None:
         rows += _scene_rows(document)
     rows.append(("loaded in", f"{document['seconds']:.2f} s"))
     if preview is not None:
-        rows.append(("preview", f"{preview}, took {document['preview']['seconds']:.2f} s"))
+        rows.append(("preview", f"{preview}, {view}, took {document['preview']['seconds']:.2f} s"))
     if gpu:
         document["gpu"] = describe_adapters()
         rows += _adapter_rows(document["gpu"])
@@ -186,8 +190,8 @@ def _impostor_rows(impostors: dict[str, Any] | None) -> list[tuple[str, str]]:
     if impostors is None:
         return []
     triangles, quads, layers = (count(impostors[name]) for name in ("triangles", "quads", "layers"))
-    error = f"at most {impostors['error_px']:.3g} px off within {impostors['reach']:g} m"
-    return [("impostors", f"{triangles} triangles of {quads} quads from {layers} centres, {error}")]
+    error = f"off by at most {impostors['error_px']:.3g} pixels of 1/20 degree within {impostors['reach']:g} m"
+    return [("impostors", f"{quads} textured quads of {triangles} triangles, baked from {layers} centres, {error}")]
 
 
 def _save_preview(
@@ -195,21 +199,37 @@ def _save_preview(
     source: str,
     subject: nf.ReducedScene | nf.Impostors | _own_files.Own | None,
     path: Path,
-) -> None:
+) -> str:
+    """Write a picture of `source`; return a description of its view."""
     if isinstance(subject, nf.orthoview.OrthoTree):
         files.write_png(path, subject.preview())
-        return
+        return "the whole world from each direction"
     if isinstance(subject, nf.stream.Bundle):
         subject = subject.at(subject.count)
         scene = subject.scene
     if scene is None:
         raise ValueError(f"preview: expected a file with geometry, got {source}, a model without")
     reduced = subject if isinstance(subject, nf.ReducedScene | nf.Impostors) else None
-    user_view = None if reduced is None else _viewpoint.view_of(source)
-    viewpoint = _viewpoint.choose(scene, source, None if reduced is None else reduced.center)
-    eye_and_target = (viewpoint.eye, viewpoint.target) if user_view is None else (user_view.user, user_view.target)
-    view = camera(*eye_and_target, 90.0, PREVIEW)
+    view, text = _overview(scene, source) if reduced is None else None, "overview from above"
+    if view is None:
+        user_view = None if reduced is None else _viewpoint.view_of(source)
+        viewpoint = _viewpoint.choose(scene, source, None if reduced is None else reduced.center)
+        eye, target = (viewpoint.eye, viewpoint.target) if user_view is None else (user_view.user, user_view.target)
+        view, text = camera(eye, target, 90.0, PREVIEW), f"from {metres(eye)}"
     nf.render(scene if reduced is None else reduced, view, samples=4, channels=("color",)).save(path)
+    return text
+
+
+def _overview(scene: nf.Scene, source: str) -> nf.Camera | None:
+    """Return a camera that looks down at a single object, or at open ground; None for rooms, and for known views."""
+    if source.partition(":")[0] in _viewpoint.KNOWN:
+        return None
+    viewpoint = _viewpoint.choose(scene, source)
+    extent = np.subtract(*overview.dense_bounds(scene._core, scene.bounds)[::-1])
+    is_wide = extent.max() >= GROUND_SHAPE[0] and extent[1] <= GROUND_SHAPE[1] * extent.max()
+    if viewpoint.is_outside or (is_wide and not is_roofed(scene, viewpoint.eye)):
+        return overview.dense_view(scene._core, scene.bounds, PREVIEW)
+    return None
 
 
 def _value_text(value: int | str | tuple[str, ...]) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import asdict, dataclass
 from functools import cached_property
 from pathlib import Path
@@ -24,6 +25,9 @@ from nearfar.lod._simplify.simplify import Method, read_ratios
 from nearfar.lod._simplify.surface import Normals
 
 VERSION = 1
+
+MIN_SCENE_RADIUS = 20.0
+"""Least radius in metres of a scene of several objects that counts as more than one thing to look at."""
 
 DEFAULTS, THRESHOLD = nf.lod.MeasureSettings, nf.lod.LodThreshold
 """Classes whose defaults are the defaults of the options."""
@@ -140,7 +144,8 @@ def lod(
         "seconds": clock.seconds,
     }
     rows = [
-        *((f"level {number}", _text(level)) for number, level in enumerate(document["levels"])),
+        *((f"level {n}", _text(level, model.triangles[0])) for n, level in enumerate(document["levels"])),
+        *_hints(loaded, document),
         ("headset", device.name),
         ("file", f"{output}, {bytes_text(document['bytes'])}"),
         *((step, f"{value:.2f} s") for step, value in clock.seconds.items()),
@@ -178,21 +183,42 @@ def describe(model: nf.lod.LodModel, switches: nf.lod.Switches, written: NDArray
     }
 
 
-def _text(level: dict[str, Any]) -> str:
-    parts = [f"{count(level['triangles'])} triangles", f"error {level['error']:.3g} m"]
+def _text(level: dict[str, Any], full: int) -> str:
+    """Describe a level of an object of `full` triangles."""
+    parts = [f"{count(level['triangles'])} triangles"]
     if level["curve"] is not None:
-        where = "never" if level["distance"] is None else f"from {level['distance']:.3g} m on"
-        coverage = f"{level['screen_coverage']:.2%} of the picture"
-        if level["limit_of_measurement"]:
-            where, coverage = (
-                f"at all sizes measured, {where}",
-                f"{coverage}; larger sizes are beyond what was measured",
-            )
-        quality = ""
-        if level["quality"] is not None:
-            # Rounded down: with a greater --quality the level would not be shown up to the greatest measured size.
-            quality = f"; --quality {int(100 * level['quality']) / 100:.2f} or less shows it at all sizes measured"
-        parts.append(f"good enough {where} ({coverage}){quality}")
+        parts[0] += f" ({100.0 * level['triangles'] / max(full, 1):.3g} %), off by up to {_length(level['error'])}"
+    if level["quality"] is not None and level["curve"] is not None:
+        # Rounded down: with a greater --quality the level would not be shown up to the greatest measured size.
+        parts.append(f"SSIM at least {int(100 * level['quality']) / 100:.2f} at all sizes measured")
     if not level["shown"]:
         parts.append(f"never shown: {level['reason']}" + ("" if level["written"] else "; left out of the file"))
-    return ", ".join(parts) + (f"; {level['note']}" if level["note"] else "")
+    elif level["distance"] is not None and level["curve"] is not None:
+        where = f"shown where the object covers up to {_percent(level['screen_coverage'])} of the picture"
+        largest = ", the largest size measured" if level["limit_of_measurement"] else ""
+        parts.append(f"{where}{largest}: {_length(level['distance'])} away or more")
+    return "; ".join([*parts, *filter(None, [level["note"]])])
+
+
+def _length(metres: float) -> str:
+    """Format a length with three digits, from a kilometre on in whole metres."""
+    return f"{metres:,.0f} m" if metres >= 1000.0 else f"{metres:.3g} m"
+
+
+def _percent(share: float) -> str:
+    """Format a share with three digits."""
+    return f"{100.0 * share:.3g} %"
+
+
+def _hints(scene: nf.Scene, document: dict[str, Any]) -> list[tuple[str, str]]:
+    """Return table rows that explain how levels are chosen, and that a whole scene is one object."""
+    rows, coarser = [], [level for level in document["levels"][1:] if level["shown"]]
+    if coarser:
+        rows.append(("threshold", "a level is shown if its SSIM is above a threshold, lower for smaller objects; "
+            "--quality SSIM demands one value at all sizes"))  # fmt: skip
+    if len(scene.object_names) > 1 and document["radius"] >= MIN_SCENE_RADIUS:
+        near = min((level["distance"] or math.inf for level in coarser), default=math.inf)
+        where = f" less than {_length(near)} from its middle" if near < math.inf else ""
+        rows.append(("note", f"all {count(len(scene.object_names))} objects of the scene became one object, which is "
+            f"drawn in full{where}; for levels of single objects, give each its own file"))  # fmt: skip
+    return rows

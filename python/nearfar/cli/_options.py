@@ -128,6 +128,10 @@ class MapOptions(ZoneOptions):
 
     face_size: FaceSize = FACE_SIZE
 
+    def __post_init__(self) -> None:
+        check.integer("face_size", self.face_size, 1, 16384)
+        super().__post_init__()
+
 
 @dataclass(frozen=True, kw_only=True)
 class PictureOptions(Options):
@@ -135,6 +139,10 @@ class PictureOptions(Options):
 
     size: str = option("960x600", "WxH", "Width and height of a picture in pixels.")
     samples: Samples = 4
+
+    def __post_init__(self) -> None:
+        check.integer("samples", self.samples, 1, 1024)
+        super().__post_init__()
 
     @cached_property
     def pixels(self) -> tuple[int, int]:

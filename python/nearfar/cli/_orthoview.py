@@ -104,13 +104,13 @@ def _announce(source: nf.SceneSource, cell: float | None, aabb: ArrayLike | None
     if cell is None:
         size, directions = views.settings.size, usual_directions(views.settings)
         choice = nf.orthoview.choose_cell(source, aabb=aabb, size=size, directions=directions)
-        typer.echo(f"nearfar: --cell {choice.cell:g}: {choice}", err=True)
+        typer.echo(f"nearfar: chose --cell {choice.cell:g}: {choice}", err=True)
         cell = choice.cell
     side = check.positive("cell", cell)
     leaves, seconds = expected_seconds(source, side, aabb=aabb, settings=views.settings, geometry=views.geometry)
     if seconds >= MIN_ANNOUNCED:
-        expected = f"about {count(leaves)} leaves, {duration(seconds)} in one process"
-        typer.echo(f"nearfar: {expected}; greater --cell, smaller --size and --box take less time", err=True)
+        expected = f"the build of about {count(leaves)} leaves may take {duration(seconds)} in one process"
+        typer.echo(f"nearfar: {expected}; a greater --cell, a smaller --size and a smaller --box save time", err=True)
     return side
 
 
@@ -232,17 +232,21 @@ def content_rows(tree: nf.orthoview.OrthoTree, facts: Mapping[str, Any]) -> list
     """Return the table rows of a tree, and of the facts of a command: `seconds`, `files` and `splats`."""
     held = tree.held
     view_bytes = bytes_text(held["bytes"] / max(held["chunks"] // 3, 1))
+    cells, grid = (
+        f"{count(held['cells'])} {'cell' if held['cells'] == 1 else 'cells'}",
+        " × ".join(map(str, tree.cells(0))),
+    )
     low, high = tree.bounds
     rows = [
-        ("leaves", f"{' × '.join(map(str, tree.cells(0)))} of {tree.cell:g} m, {count(held['leaves'])} not empty"),
+        ("leaves", f"{grid} cells of {tree.cell:g} m, {count(held['leaves'])} not empty"),
         ("from, to", f"{metres(low)}; {metres(high)}"),
-        ("levels", str(tree.levels)),
-        ("views", f"{len(tree.directions)} directions, {tree.size} × {tree.size} pixels"),
-        ("held", f"{count(held['cells'])} cells, {bytes_text(held['bytes'])}, {view_bytes} a view"),
+        ("levels", f"{tree.levels}, the leaves are the first; a cell of each further level has twice the side"),
+        ("views", f"{len(tree.directions)} directions of each cell, {tree.size} × {tree.size} pixels"),
+        ("stored views", f"of {cells}, {bytes_text(held['bytes'])}, {view_bytes} a view on average"),
         *_geometry_rows(tree.geometry),
-        ("updates", str(tree.generation)),
-        *(("done", f"{name} {count(number)}") for name, number in sorted(tree.done.items())),
-        *((name, f"{value:.2f} s") for name, value in facts.get("seconds", {}).items()),
+        ("updates", f"{count(tree.generation)} since the build"),
+        ("last update" if tree.generation else "build", _work_text(tree.done)),
+        *((f"{name} took", f"{value:.2f} s") for name, value in facts.get("seconds", {}).items()),
     ]
     if "files" in facts:
         rows.append(("files", f"{count(facts['files'])}, all as they were written"))
@@ -255,6 +259,23 @@ def content_rows(tree: nf.orthoview.OrthoTree, facts: Mapping[str, Any]) -> list
         rows.append(("incomplete", f"{text}; the call that built it completes the tree"))
         rows += [("", f"{leaf}: {reason}") for leaf, reason in list(tree.failed.items())[:5]]
     return rows
+
+
+def _work_text(done: Mapping[str, int]) -> str:
+    """Describe the work of a build or of an update."""
+    texts = {
+        "drawn": "rendered the views of {}",
+        "empty": "found {} empty",
+        "composed": "made the views of {} from those of the level below",
+        "reloaded": "read {} again",
+    }
+    units = {"drawn": ("leaf", "leaves"), "empty": ("leaf", "leaves"), "composed": ("cell", "cells")}
+    parts = []
+    for name, text in texts.items():
+        if name in done:
+            one, several = units.get(name, ("chunk", "chunks"))
+            parts.append(text.format(f"{count(done[name])} {one if done[name] == 1 else several}"))
+    return "; ".join(parts)
 
 
 def _splat_rows(counts: dict[str, int]) -> list[tuple[str, str]]:

@@ -12,7 +12,7 @@ from typing import Any
 
 import typer
 
-from nearfar._base import files, formats
+from nearfar._base import files, formats, progress
 
 
 @dataclass
@@ -23,9 +23,10 @@ class Clock:
 
     @contextlib.contextmanager
     def step(self, name: str) -> Iterator[None]:
-        """Measure the time of a step."""
+        """Measure the time of a step, and name it in lines of progress."""
         started = time.perf_counter()
-        yield
+        with progress.step(name):
+            yield
         self.seconds[name] = round(time.perf_counter() - started, 3)
 
 

@@ -99,4 +99,4 @@ def _level_text(level: dict[str, Any]) -> str:
     text = f"{count(level['triangles'])} triangles, error {level['error']:.3g} m"
     if level["distance"] is None:
         return text
-    return f"{text}, from {level['distance']:.3g} m on ({level['screen_coverage']:.2%} of the picture)"
+    return f"{text}, from {level['distance']:.3g} m on ({100.0 * level['screen_coverage']:.3g} % of the picture)"

@@ -21,6 +21,9 @@ VERSION = 1
 CURVE_RADII = (20.0, 30.0, 50.0, 100.0, 200.0, 500.0, 1000.0, 2000.0)
 """Radii of the listed points of the load curve, metres."""
 
+MIN_COUNTS = 3
+"""Least number of different triangle counts at these radii; with fewer, the list has other radii."""
+
 ROWS = {
     "triangles": "triangles",
     "near": "near, within r1",
@@ -84,4 +87,9 @@ def describe(scene: nf.Scene, source: str, center: options.Point, radii: Choice)
 
 
 def curve_points(curve: nf.LoadCurve) -> list[dict[str, float | int]]:
-    return [{"radius": radius, "triangles": int(curve.count(radius))} for radius in CURVE_RADII]
+    """Return points of a load curve, at `CURVE_RADII`, or in equal steps if most of these would have equal counts."""
+    farthest = curve._farthest()
+    steps = [float(f"{farthest * step / len(CURVE_RADII):.3g}") for step in range(1, len(CURVE_RADII) + 1)]
+    has_few = len({int(curve.count(radius)) for radius in CURVE_RADII}) < MIN_COUNTS
+    radii = steps if has_few else CURVE_RADII
+    return [{"radius": radius, "triangles": int(curve.count(radius))} for radius in radii]

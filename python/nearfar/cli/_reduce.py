@@ -35,6 +35,8 @@ from nearfar.metrics._comparison import visible_difference
 
 VERSION = 1
 
+_POSITIONS = "relative to the centre in light.glb and far.glb, world coordinates in near.glb"
+
 
 @dataclass(frozen=True, kw_only=True)
 class FarOptions(Options):
@@ -276,7 +278,8 @@ def _far_text(document: dict[str, Any]) -> str:
     if not impostors["quads"]:
         return "no quads"
     size = bytes_text(document["sizes"]["impostors"]["bytes"])
-    return f"{impostors['triangles']:,} of them in {impostors['quads']:,} textured quads (light.glb: {size})"
+    quads = f"{impostors['quads']:,} textured quads of {impostors['triangles']:,} triangles"
+    return f"{quads} (light.glb: {size})"
 
 
 def _published_text(document: dict[str, Any]) -> str:
@@ -293,7 +296,7 @@ def _rows(document: dict[str, Any], output: Path) -> list[tuple[str, str]]:
         ("centre", metres(document["center"])),
         *radii_rows(document),
         ("far part", _far_text(document)),
-        *([("light.glb", "its positions are relative to the centre")] if document["impostors"] else []),
+        *([("positions", _POSITIONS)] if document["impostors"] else []),
         *((line[0], f"PSNR {line[1]}, worst {line[2]}; SSIM {line[3]}") for line in _users.rows(document)[1:]),
         ("took", f"{sum(document['seconds'].values()):.1f} s"),
         *note_rows(document),

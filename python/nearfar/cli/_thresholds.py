@@ -20,12 +20,23 @@ MEASURES = {
 }
 """Measure of each limit."""
 
+_NO_BOUNDARY = "no pixel of the picture has neighbours on both sides of the boundary at r2"
+_NO_SURFACE = "no pixel of the picture has a surface with neighbours"
 UNMEASURED = {
-    "tear": "no pixel of the picture has neighbours on both sides of the boundary at r2",
-    "discontinuity": "no pixel of the picture has a surface with neighbours",
-    "boundary": "no pixel of the picture has neighbours on both sides of the boundary at r2",
+    "tear": _NO_BOUNDARY,
+    "tear_kink": _NO_BOUNDARY,
+    "boundary": _NO_BOUNDARY,
+    "discontinuity": _NO_SURFACE,
+    "discontinuity_p99": _NO_SURFACE,
+    "flip": 'the package flip-evaluator is not installed: pip install "nearfar[flip]"',
 }
 """Reasons why a measure is missing."""
+
+UNMEASURED_IMPOSTORS = (
+    "tear and discontinuity compare the true places of surfaces in neighbouring pixels, and a pixel of impostors only "
+    "knows the place of its quad"
+)
+"""Reason why a measure of `UNMEASURED` other than FLIP is missing for impostors."""
 
 
 @dataclass(frozen=True, kw_only=True)

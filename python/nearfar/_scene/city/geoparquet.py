@@ -23,6 +23,12 @@ _POINT_BYTES = 16
 _FEATURE_BYTES = 96
 """Bytes of a feature's offset, heights and box."""
 
+_EXPECTED = (
+    "expected GeoParquet of footprints: the metadata 'geo', a column of WKB geometries that it names, and numbers in a "
+    "column such as height, or in the one that height='NAME' names"
+)
+"""Columns that a file needs."""
+
 
 def read(data: bytes, budget: Budget) -> Table:
     """Read the features of a file; the budget counts the unpacked bytes."""
@@ -33,9 +39,14 @@ def read(data: bytes, budget: Budget) -> Table:
 
     try:
         file = pq.ParquetFile(pa.BufferReader(data))
-        name, column = _geometry(file.schema_arrow.metadata or {})
-        if name not in file.schema_arrow.names:
-            raise UnusableError(f"its metadata 'geo' names the column {check.shortened(name)}, which it lacks")
+        try:
+            name, column = _geometry(file.schema_arrow.metadata or {})
+            if name not in file.schema_arrow.names:
+                raise UnusableError(f"its metadata 'geo' names the column {check.shortened(name)}, which it lacks")
+            _check_bytes(file.schema_arrow.field(name).type)
+        except UnusableError as error:
+            columns_text = check.shortened(", ".join(file.schema_arrow.names))
+            raise UnusableError(f"{error}; {_EXPECTED}, got the columns {columns_text}") from None
         outlines, skipped = _outlines(file, name, budget)
         columns = _Columns(file)
     except (pa.ArrowException, OSError) as error:
@@ -75,11 +86,17 @@ def _outlines(file: Any, name: str, budget: Budget) -> tuple[Outlines, int]:
     return concatenate(parts), skipped
 
 
+def _check_bytes(kind: Any) -> None:
+    """Raise UnusableError unless a geometry column of this type holds bytes."""
+    import pyarrow as pa
+
+    if not (pa.types.is_binary(kind) or pa.types.is_large_binary(kind)):
+        raise UnusableError(f"its geometry column holds {kind}, not bytes")
+
+
 def _batch(column: Any, first_row: int) -> tuple[Outlines, int]:
     import pyarrow as pa
 
-    if not (pa.types.is_binary(column.type) or pa.types.is_large_binary(column.type)):
-        raise UnusableError(f"its geometry column holds {column.type}, not bytes")
     rows = column.fill_null(b"").cast(pa.large_binary())
     _, ends, values = rows.buffers()
     bounds = np.frombuffer(ends, np.int64)[rows.offset : rows.offset + len(rows) + 1]
