@@ -142,8 +142,9 @@ def use(scene: nf.Scene, folder: Path, *, everything: bool) -> None:
     reduced = nf.reduce(scene, center=middle, r1=0.1 * extent, r2=0.3 * extent, face_size=8, samples=1, backend="cpu")
     # A user beyond r₁ sees edges bent so much that they are split into very many.
     user = middle + np.multiply(extent, (0.05, 0.0, 0.02))
-    shown = reduced.render(camera, user=user, backend="cpu")
+    settings: dict[str, Any] = {"user": user, "tolerance_px": 4.0, "backend": "cpu"}
+    shown = reduced.render(camera, **settings)
     reduced.save(folder / "reduced", half=False)
-    again = nf.ReducedScene.load(folder / "reduced").render(camera, user=user, backend="cpu")
+    again = nf.ReducedScene.load(folder / "reduced").render(camera, **settings)
     if shown.require("color").tobytes() != again.require("color").tobytes():
         raise Finding("a reduced scene is drawn otherwise after it was saved and loaded")

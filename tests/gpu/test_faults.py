@@ -1,7 +1,8 @@
-"""Tests of adapter failures: each raises an error with a message, and the next picture is right."""
+"""Tests of adapter failures, after which the next picture is right, and of processes that end during work."""
 
 from __future__ import annotations
 
+import ast
 import threading
 from pathlib import Path
 
@@ -9,98 +10,91 @@ import numpy as np
 import pytest
 
 import nearfar as nf
+from nearfar import _core
 from nearfar._render import backend as backends
 from tests.support import need
-from tests.support.gpu_cases import ADAPTERS, adapter, crowd, program, view
+from tests.support.gpu_cases import ADAPTERS, crowd, program, view
 
 CAMERA = view((0, 1.3, 1.0), (0, 0, -6), size=(96, 64))
 
 
-@pytest.mark.parametrize("name", ADAPTERS)
-def test_a_device_lost_between_frames_is_opened_again(name: str) -> None:
+def test_a_device_lost_between_frames_is_opened_again(backend: str) -> None:
     scene = crowd()
-    with adapter(name):
-        before = nf.render(scene, CAMERA, backend="gpu")
-        device = backends.open_device()
-        device.lose()
-        after = nf.render(scene, CAMERA, backend="gpu")
-        np.testing.assert_array_equal(after.require("color"), before.require("color"))
-        # A new device has no data, so the scene was uploaded again.
-        assert nf.gpu.stats()["uploaded_bytes"] > 1000
-        with pytest.raises(nf.DeviceError, match="the device was lost"):
-            device.truth(scene._core, [CAMERA._core], nf.Shot(cameras=(CAMERA,), channels=("range",)).settings)
+    before = nf.render(scene, CAMERA, backend="gpu")
+    device = backends.open_device()
+    device.lose()
+    after = nf.render(scene, CAMERA, backend="gpu")
+    np.testing.assert_array_equal(after.require("color"), before.require("color"))
+    # A new device has no data, so the scene was uploaded again.
+    assert nf.gpu.stats()["uploaded_bytes"] > 1000
+    with pytest.raises(nf.DeviceError, match="the device was lost"):
+        device.truth(scene._core, [CAMERA._core], nf.Shot(cameras=(CAMERA,), channels=("range",)).settings)
 
 
-@pytest.mark.parametrize("name", ADAPTERS)
-def test_a_device_lost_during_a_frame_suggests_a_remedy(name: str) -> None:
+def test_a_device_lost_during_a_frame_suggests_a_remedy(backend: str) -> None:
     scene = crowd()
-    with adapter(name):
-        label = nf.gpu.selected().label
-        frames = nf.render_path(scene, [CAMERA] * 4, backend="gpu")
-        first = next(frames)
-        backends.open_device().lose()
-        with pytest.raises(nf.DeviceError) as caught:
-            next(frames)
-        assert str(caught.value).startswith(label)
-        assert "the next call opens it again, backend='cpu' needs none" in str(caught.value)
-        with pytest.raises(StopIteration):
-            next(frames)
-        again = nf.render(scene, CAMERA, backend="gpu")
-        np.testing.assert_array_equal(again.require("color"), first.require("color"))
+    label = nf.gpu.selected().label
+    frames = nf.render_path(scene, [CAMERA] * 4, backend="gpu")
+    first = next(frames)
+    backends.open_device().lose()
+    with pytest.raises(nf.DeviceError) as caught:
+        next(frames)
+    assert str(caught.value).startswith(label)
+    assert "the next call opens it again, backend='cpu' needs none" in str(caught.value)
+    with pytest.raises(StopIteration):
+        next(frames)
+    again = nf.render(scene, CAMERA, backend="gpu")
+    np.testing.assert_array_equal(again.require("color"), first.require("color"))
 
 
-@pytest.mark.parametrize("name", ADAPTERS)
-def test_a_device_lost_in_another_thread_while_frames_are_drawn(name: str) -> None:
+def test_a_device_lost_in_another_thread_while_frames_are_drawn(backend: str) -> None:
     """Frames are right or raise a DeviceError, at whatever moment the device is lost."""
     scene, stop = crowd(), threading.Event()
     drawn = lost = 0
-    with adapter(name):
-        right = nf.render(scene, CAMERA, backend="gpu").require("color")
+    right = nf.render(scene, CAMERA, backend="gpu").require("color")
 
-        def lose() -> None:
-            nonlocal lost
-            pause = 0.03
-            while not stop.wait(pause):
-                backends.open_device().lose()
-                lost += 1
-                pause *= 1.0 if drawn else 1.1  # until a slow machine has drawn a frame
+    def lose() -> None:
+        nonlocal lost
+        pause = 0.03
+        while not stop.wait(pause):
+            backends.open_device().lose()
+            lost += 1
+            pause *= 1.0 if drawn else 1.1  # until a slow machine has drawn a frame
 
-        thread = threading.Thread(target=lose)
-        thread.start()
-        try:
-            while lost < 12 or not drawn:
-                try:
-                    frame = nf.render(scene, CAMERA, backend="gpu")
-                except nf.DeviceError:
-                    continue
-                np.testing.assert_array_equal(frame.require("color"), right)
-                drawn += 1
-        finally:
-            stop.set()
-            thread.join()
-        np.testing.assert_array_equal(nf.render(scene, CAMERA, backend="gpu").require("color"), right)
+    thread = threading.Thread(target=lose)
+    thread.start()
+    try:
+        while lost < 8 or not drawn:
+            try:
+                frame = nf.render(scene, CAMERA, backend="gpu")
+            except nf.DeviceError:
+                continue
+            np.testing.assert_array_equal(frame.require("color"), right)
+            drawn += 1
+    finally:
+        stop.set()
+        thread.join()
+    np.testing.assert_array_equal(nf.render(scene, CAMERA, backend="gpu").require("color"), right)
 
 
-@pytest.mark.parametrize("name", ADAPTERS)
-def test_two_threads_draw_one_scene_at_once(name: str) -> None:
+def test_two_threads_draw_one_scene_at_once(backend: str) -> None:
     """The first upload must not wait for a lock that its own thread holds."""
-    with adapter(name):
-        for _ in range(5):
-            scene = crowd()
-            got: list[nf.Frame] = []
+    for _ in range(3):
+        scene = crowd()
+        got: list[nf.Frame] = []
 
-            def draw(scene: nf.Scene = scene, got: list[nf.Frame] = got) -> None:
-                got.extend(nf.render(scene, CAMERA, backend="gpu") for _ in range(3))
+        def draw(scene: nf.Scene = scene, got: list[nf.Frame] = got) -> None:
+            got.extend(nf.render(scene, CAMERA, backend="gpu") for _ in range(3))
 
-            threads = [threading.Thread(target=draw) for _ in range(4)]
-            for thread in threads:
-                thread.start()
-            for thread in threads:
-                thread.join(60.0)
-                assert not thread.is_alive()
-            assert len(got) == 12
-            for frame in got:
-                np.testing.assert_array_equal(frame.require("color"), got[0].require("color"))
+        threads = [threading.Thread(target=draw) for _ in range(4)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join(60.0)
+            assert not thread.is_alive()
+        assert len(got) == 12
+        for frame in got:
+            np.testing.assert_array_equal(frame.require("color"), got[0].require("color"))
 
 
 OUT_OF_MEMORY = """
@@ -190,35 +184,64 @@ def test_a_forked_child_is_refused_and_ends(name: str, tmp_path: Path) -> None:
     assert process.stderr.startswith("rendering on the CPU: graphics drivers do not survive a fork")
 
 
-@pytest.mark.slow
-def test_a_spawned_child_draws() -> None:
-    need("vulkan")
-    code = """
-import multiprocessing
-from tests.gpu.test_faults import drawn_in_a_child
-if __name__ == "__main__":
-    with multiprocessing.get_context("spawn").Pool(1) as pool:
-        print(pool.apply(drawn_in_a_child))
+# Processes that end while an adapter works ----------------------------------------------------------------------------
+BEGIN = """
+nf.gpu.select({name!r})
+from nearfar._render import backend as backends
+large = nf.Camera((0, 1.3, 1), fov=nf.Fov.symmetric(60), size=(500, 500))
+settings = nf.Shot(cameras=(large,), channels=("color", "position", "normal")).settings
+device = backends.open_device()
+jobs = [job for _ in range({count}) for job in device.truth(scene._core, [large._core], settings)]
 """
-    process = program(code)
-    assert process.stdout.strip() == "True", process.stderr
+
+ENDS = {
+    "jobs under way": "",
+    "a frame on the device, after jobs that were dropped": "jobs.clear(); frame = nf.gpu.render(scene, camera)",
+    "a lost device": "device.lose()",
+    "an interrupt": "import signal; signal.raise_signal(signal.SIGINT)",
+    "a render in another handler": "import atexit; atexit.register(nf.render, scene, camera, backend='gpu')",
+    "no handlers": "os._exit(0)",
+}
+
+FORK_ENDS = """
+import os, sys
+for end, code in {ends!r}.items():
+    read, write = os.pipe()
+    child = os.fork()
+    if child == 0:
+        os.dup2(write, 2)
+        os.close(read), os.close(write)
+        exec(code)  # and the process ends after the last line of the program
+        break
+    os.close(write)
+    with open(read) as errors:
+        said = errors.read().splitlines()
+    print((end, os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), said))
+"""
+"""Forks a process for each end, before anything loads a driver, and prints how it ended: such children may draw."""
 
 
-def drawn_in_a_child() -> bool:
-    nf.gpu.select("vulkan")
-    return bool(np.isfinite(nf.render(crowd(), CAMERA, backend="gpu").require("range")).any())
-
-
-def test_a_child_forked_before_draws() -> None:
-    """A child that was forked before any library was loaded draws."""
+@pytest.mark.parametrize("name", ADAPTERS)
+def test_processes_end_cleanly(name: str) -> None:
+    need(name)
     need("fork")
-    need("vulkan")
-    code = """
-import os
-child = os.fork()
-nf.gpu.select("vulkan")
-nf.render(scene, camera, backend="gpu")
-raise SystemExit(0 if child == 0 else os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
-"""
-    process = program(code)
-    assert process.returncode == 0, process.stderr
+    chosen = [end for end in ENDS if name == ADAPTERS[0] or end.startswith(("jobs under", "a "))]
+    codes = {end: BEGIN.format(name=name, count=1 if ENDS[end] else 4) + ENDS[end] for end in chosen}
+    process = program(FORK_ENDS.format(ends=codes))
+    assert (process.returncode, process.stderr) == (0, "")
+    found = [ast.literal_eval(line) for line in process.stdout.splitlines()]
+    assert [end for end, *_ in found] == chosen
+    for end, status, said in found:
+        assert status in ((1, -2, 130) if end == "an interrupt" else (0,)), (end, said)
+        assert said[-1:] == (["KeyboardInterrupt"] if end == "an interrupt" else []), end
+
+
+def test_a_closed_device_is_replaced(backend: str) -> None:
+    """The next call opens another one."""
+    scene, camera = crowd(), view((0, 1.3, 1.0), (0, 0, -6), size=(96, 64))
+    frame = nf.gpu.render(scene, camera)
+    before = frame.read().require("color")
+    _core.gpu_close()
+    with pytest.raises(nf.DeviceError, match="the device was lost"):
+        frame.read()
+    assert (nf.render(scene, camera, backend="gpu").require("color") == before).all()

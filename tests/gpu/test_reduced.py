@@ -26,16 +26,12 @@ ALL = (*CHANNELS, "face_id")
 USERS = {"centre": CENTER, "near": (2.0, 1.9, -1.0), "far": (9.0, 2.5, 6.0)}
 
 
-@pytest.fixture(scope="module")
-def city() -> nf.Scene:
-    return nf.datasets.city(blocks=3, detail=1).with_dynamic([f"car_{i}" for i in range(5)])
-
-
-@pytest.fixture(scope="module", params=["blend", "cylinder", "none"])
+@pytest.fixture(scope="module", params=[("blend", "r2"), ("cylinder", "r2"), ("none", "r2"), ("none", "r1")])
 def reduced(city: nf.Scene, request: pytest.FixtureRequest) -> nf.ReducedScene:
-    return nf.reduce(
-        city, center=CENTER, r1=30, r2=50, face_size=128, morph=request.param, channels=CHANNELS, samples=1
-    )
+    """The city, bent in two ways, and cut at each radius by the conventional method."""
+    morph, boundary = request.param
+    settings: dict[str, Any] = {"morph": morph, "boundary": boundary, "channels": CHANNELS, "samples": 1}
+    return nf.reduce(city, center=CENTER, r1=30, r2=50, face_size=64, **settings)
 
 
 @pytest.fixture(scope="module")
@@ -57,7 +53,7 @@ def pose_at(x: float, y: float, z: float, turn: float = 0.0) -> NDArray[np.float
     return np.asarray(matrix)
 
 
-def view(user: tuple[float, float, float], size: int = 160) -> nf.Camera:
+def view(user: tuple[float, float, float], size: int = 96) -> nf.Camera:
     target = (user[0] - 1.5, 3.0, user[2] - 40.0)
     return nf.Camera.look_at(user, target, fov=nf.Fov.symmetric(70), size=(size, size))
 
@@ -67,40 +63,33 @@ def both(reduced: nf.ReducedScene, camera: nf.Camera, **settings: object) -> tup
     return frames[0], frames[1]
 
 
-@pytest.mark.parametrize("user", USERS)
-def test_frames_equal_the_tracer(reduced: nf.ReducedScene, poses: dict[str, NDArray[np.float64]], user: str) -> None:
-    for env in (True, False) if user == "near" else (user == "centre",):
+def test_frames_equal_the_tracer(reduced: nf.ReducedScene, poses: dict[str, NDArray[np.float64]]) -> None:
+    for user, env in (("centre", True), ("near", True), ("near", False), ("far", False)):
         # Both morph the same vertices and differ by rounding only. Without a map all pixels have faces.
         cpu, gpu = both(reduced, view(USERS[user]), at=poses, channels=ALL, tolerance_px=np.inf, env=env)
         check_ids(cpu.require("object_id"), gpu.require("object_id"))
-        check_ids(cpu.require("face_id"), gpu.require("face_id"))
+        check_ids(cpu.require("face_id"), gpu.require("face_id"), 0.998)
         check_color(cpu, gpu)
         check_range(cpu, gpu, worst=1e-3)
         assert np.array_equal(np.isfinite(cpu.require("range")), np.isfinite(gpu.require("range"))) or user != "centre"
+    if reduced.morph != "none":
+        cpu, gpu = both(reduced, view(USERS["near"]), at=poses, channels=ALL)
+        # The CPU splits for this user, the device for several users; edges may differ by a part of half a pixel.
+        check_ids(cpu.require("object_id"), gpu.require("object_id"))
+        check_color(cpu, gpu)
+        assert gpu.stats["tolerance_held"]
+        assert cpu.stats["tolerance_held"]
 
 
-@pytest.mark.parametrize("tolerance_px", [np.inf, 0.5])
-def test_normals_of_vertices_are_the_same(tolerance_px: float) -> None:
+def test_normals_of_vertices_are_the_same() -> None:
     center = np.array([3.0, 1.7, -2.0])
-    reduced = nf.reduce(scene_around(center), center=center, r1=15, r2=25, face_size=128, samples=1, channels=CHANNELS)
+    reduced = nf.reduce(scene_around(center), center=center, r1=15, r2=25, face_size=64, samples=1, channels=CHANNELS)
     eye = center + np.array([2.0, 0.3, -1.0])
-    camera = nf.Camera.look_at(eye, eye + np.array([1, 0.02, 0.4]), fov=nf.Fov.symmetric(60), size=(192, 192))
-    cpu, gpu = both(reduced, camera, channels=("color", "object_id", "face_id"), tolerance_px=tolerance_px)
-    check_ids(cpu.require("object_id"), gpu.require("object_id"))
-    check_color(cpu, gpu)
-
-
-@pytest.mark.parametrize("morph", ["blend", "cylinder"])
-def test_split_frames_agree_within_the_tolerance(
-    city: nf.Scene, poses: dict[str, NDArray[np.float64]], morph: MorphKind
-) -> None:
-    reduced = nf.reduce(city, center=CENTER, r1=30, r2=50, face_size=128, morph=morph, channels=CHANNELS, samples=1)
-    cpu, gpu = both(reduced, view(USERS["near"]), at=poses, channels=ALL)
-    # The CPU splits for this user, the device for several users; edges may differ by a small part of half a pixel.
-    check_ids(cpu.require("object_id"), gpu.require("object_id"))
-    check_color(cpu, gpu)
-    assert gpu.stats["tolerance_held"]
-    assert cpu.stats["tolerance_held"]
+    camera = nf.Camera.look_at(eye, eye + np.array([1, 0.02, 0.4]), fov=nf.Fov.symmetric(60), size=(96, 96))
+    for tolerance_px in (np.inf, 0.5):
+        cpu, gpu = both(reduced, camera, channels=("color", "object_id", "face_id"), tolerance_px=tolerance_px)
+        check_ids(cpu.require("object_id"), gpu.require("object_id"))
+        check_color(cpu, gpu)
 
 
 def test_a_large_moving_object_is_split_at_its_pose() -> None:
@@ -123,16 +112,17 @@ def test_a_large_moving_object_is_split_at_its_pose() -> None:
 def test_maps_equal_the_tracer_face_by_face(city: nf.Scene) -> None:
     for r2 in (1.0, 50.0):
         cpu, gpu = (
-            nf.reduce(city, center=CENTER, r1=0.5, r2=r2, face_size=256, channels=CHANNELS, samples=1, backend=backend)
+            nf.reduce(city, center=CENTER, r1=0.5, r2=r2, face_size=128, channels=CHANNELS, samples=1, backend=backend)
             for backend in ("cpu", "gpu")
         )
         assert cpu.env is not None
         assert gpu.env is not None
         for face in range(6):
             check_ids(cpu.env.object_id[face], gpu.env.object_id[face])  # type: ignore[index]
-            camera = nf.Camera(CENTER, fov=nf.CubeFace(face), size=(256, 256))
+            camera = nf.Camera(CENTER, fov=nf.CubeFace(face), size=(128, 128))
             colors = [np.asarray(env.color[face], np.float32) for env in (cpu.env, gpu.env)]
-            check_color(nf.Frame(camera, color=colors[0]), nf.Frame(camera, color=colors[1]))
+            # The share of texels at edges, where rounding decides between two faces, is greater in a small map.
+            check_color(nf.Frame(camera, color=colors[0]), nf.Frame(camera, color=colors[1]), percentile=99.5)
             inside = ~edges(cpu.env.object_id[face])  # type: ignore[index]
             expected, got = cpu.env.range[face][inside], gpu.env.range[face][inside]  # type: ignore[index]
             finite = np.isfinite(expected) & np.isfinite(got)
@@ -140,15 +130,6 @@ def test_maps_equal_the_tracer_face_by_face(city: nf.Scene) -> None:
             apart = np.abs(got[finite] - expected[finite]) / expected[finite]
             assert apart.size == 0 or np.percentile(apart, 99) <= 1e-5
         assert gpu.stats["rays"] == 0 < cpu.stats["rays"]
-
-
-@pytest.mark.parametrize("boundary", ["r1", "r2"])
-def test_the_conventional_method_breaks_as_on_the_cpu(city: nf.Scene, boundary: str) -> None:
-    settings: dict[str, Any] = {"morph": "none", "boundary": boundary, "channels": CHANNELS, "samples": 1}
-    reduced = nf.reduce(city, center=CENTER, r1=20, r2=40, face_size=128, **settings)
-    cpu, gpu = both(reduced, view(USERS["near"]), channels=ALL)
-    check_ids(cpu.require("face_id"), gpu.require("face_id"))
-    check_color(cpu, gpu)
 
 
 def test_without_far_geometry_the_sky_is_visible() -> None:
@@ -159,15 +140,6 @@ def test_without_far_geometry_the_sky_is_visible() -> None:
     check_ids(cpu.require("face_id"), gpu.require("face_id"))
     assert np.array_equal(np.isinf(cpu.require("range")), gpu.require("face_id") < 0)
     check_color(cpu, gpu)
-
-
-def test_a_loaded_scene_is_drawn_as_before_saving(small: nf.ReducedScene, tmp_path: Path) -> None:
-    small.save(tmp_path / "light")
-    loaded = nf.ReducedScene.load(tmp_path / "light")
-    camera = view(USERS["near"], 96)
-    before, after = (one.render(camera, backend="gpu") for one in (small, loaded))
-    check_ids(before.require("object_id"), after.require("object_id"))
-    check_color(before, after)
 
 
 def test_only_near_geometry_is_drawn_and_little_is_uploaded(
@@ -257,14 +229,13 @@ def test_moving_objects_beyond_are_hidden_by_near_geometry(morph: MorphKind, use
     scene, pose = street_with_a_drone()
     reduced = nf.reduce(scene, center=CENTER, r1=30, r2=50, face_size=32, morph=morph, channels=CHANNELS, samples=1)
     drone = scene.object_names.index("drone")
-    for target in ((40, 1.7, 0), (60, 25, 0)):
-        camera = nf.Camera.look_at(user, target, fov=nf.Fov.symmetric(60), size=(128, 128))
-        for settings in ({"tolerance_px": 9.0}, {"tolerance_px": np.inf}, {"env": False, "tolerance_px": 9.0}):
-            cpu, gpu = both(reduced, camera, at=pose, channels=ALL, **settings)
-            for frame in (cpu, gpu):
-                assert not (frame.require("object_id") == drone).any()
-            check_ids(cpu.require("object_id"), gpu.require("object_id"), 0.998)
-        assert not (reduced.render(camera, at=pose, method="exact").require("object_id") == drone).any()
+    for settings in ({"tolerance_px": 9.0}, {"tolerance_px": np.inf}, {"env": False, "tolerance_px": 9.0}):
+        camera = nf.Camera.look_at(user, (60, 25, 0), fov=nf.Fov.symmetric(60), size=(96, 96))
+        cpu, gpu = both(reduced, camera, at=pose, channels=ALL, **settings)
+        for frame in (cpu, gpu):
+            assert not (frame.require("object_id") == drone).any()
+        check_ids(cpu.require("object_id"), gpu.require("object_id"), 0.995)
+    assert not (reduced.render(camera, at=pose, method="exact").require("object_id") == drone).any()
 
 
 @pytest.mark.parametrize("morph", ["blend", "cylinder"])
@@ -280,6 +251,6 @@ def test_a_moving_object_across_both_radii_has_no_hole(morph: MorphKind) -> None
         ((1.5, 2.4, 1.0), np.inf, 0.998),
         ((30.0, 2.0, 12.0), np.inf, 0.998),
     ):
-        camera = nf.Camera.look_at(user, (18, 3, -9), fov=nf.Fov.symmetric(60), size=(160, 160))
+        camera = nf.Camera.look_at(user, (18, 3, -9), fov=nf.Fov.symmetric(60), size=(96, 96))
         cpu, gpu = both(reduced, camera, at={"drone": wall}, channels=ALL, tolerance_px=tolerance, method="vertex")
         check_ids(cpu.require("object_id"), gpu.require("object_id"), share)

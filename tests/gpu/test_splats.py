@@ -59,17 +59,17 @@ def check(got: dict[str, Any], right: dict[str, Any], least: float = 0.997) -> N
     assert 0.5 * expected["splats_seen"] <= counts["splats_seen"] <= counts["splats_in_picture"]
 
 
-@pytest.mark.parametrize("name", CAMERAS)
-def test_pictures_equal_the_cpu(device: _core.GpuDevice, name: str) -> None:
+def test_pictures_equal_the_cpu(device: _core.GpuDevice) -> None:
     splats = splats_of([(1, 0, 0), (0, 1, 0), (0, 0, 1), (0, 1, 1), (-1, -1, 1)])
-    right = draw_splats(splats, CAMERAS[name], ALL)
-    assert np.isfinite(right["range"]).mean() > 0.02
-    check(draw_splats(splats, CAMERAS[name], ALL, device=device), right)
+    for camera in CAMERAS.values():
+        right = draw_splats(splats, camera, ALL)
+        assert np.isfinite(right["range"]).mean() > 0.02
+        check(draw_splats(splats, camera, ALL, device=device), right)
 
 
-@pytest.mark.parametrize("grid", [2, 3, 4, 8])
+@pytest.mark.parametrize("grid", [2, 3, 8])
 def test_colour_is_the_mean_over_samples(device: _core.GpuDevice, grid: int) -> None:
-    splats = splats_of(THREE, size=32)
+    splats = splats_of(THREE, size=16)
     for name in ("perspective", "parallel"):
         right = draw_splats(splats, CAMERAS[name], ("color", "coverage"), grid)
         got = draw_splats(splats, CAMERAS[name], ("color", "coverage"), grid, device=device)
@@ -84,20 +84,22 @@ def test_large_pictures_and_large_views_are_drawn(device: _core.GpuDevice) -> No
     check(draw_splats(splats, LARGE, ALL, device=device), draw_splats(splats, LARGE, ALL))
 
 
-@pytest.mark.parametrize(("depth_bits", "normal_bits"), [(8, 16), (12, 24), (16, 24)])
-def test_all_splat_formats_are_drawn(device: _core.GpuDevice, depth_bits: int, normal_bits: int) -> None:
-    splats = splats_of(THREE, depth_bits, normal_bits, size=20)
+def test_all_splat_formats_are_drawn(device: _core.GpuDevice) -> None:
     camera = CAMERAS["perspective"]
-    check(draw_splats(splats, camera, ALL, device=device), draw_splats(splats, camera, ALL))
+    for depth_bits, normal_bits in ((8, 16), (12, 24), (16, 24)):
+        splats = splats_of(THREE, depth_bits, normal_bits, size=20)
+        check(draw_splats(splats, camera, ALL, device=device), draw_splats(splats, camera, ALL))
 
 
 @pytest.mark.parametrize("camera", ["perspective", "parallel"])
-@pytest.mark.parametrize("name", ["t_min", "t_max", "both", "box", "planes"])
-def test_limits_on_range_and_space_are_applied(device: _core.GpuDevice, name: str, camera: str) -> None:
-    splats, limits = splats_of(THREE), limits_of(name)
-    right = draw_splats(splats, CAMERAS[camera], ALL, **limits)
-    assert not np.array_equal(right["range"], draw_splats(splats, CAMERAS[camera], ALL)["range"])
-    check(draw_splats(splats, CAMERAS[camera], ALL, device=device, **limits), right)
+def test_limits_on_range_and_space_are_applied(device: _core.GpuDevice, camera: str) -> None:
+    splats = splats_of(THREE)
+    whole = draw_splats(splats, CAMERAS[camera], ALL)["range"]
+    for name in ("t_min", "t_max", "both", "box", "planes"):
+        limits = limits_of(name)
+        right = draw_splats(splats, CAMERAS[camera], ALL, **limits)
+        assert not np.array_equal(right["range"], whole)
+        check(draw_splats(splats, CAMERAS[camera], ALL, device=device, **limits), right)
 
 
 @pytest.mark.parametrize("grid", [1, 3])
@@ -210,13 +212,13 @@ def test_a_lost_device_is_reported(device: _core.GpuDevice) -> None:
 
 
 def test_threads_share_a_device(device: _core.GpuDevice) -> None:
-    camera, splats = CAMERAS["perspective"], splats_of(THREE, size=32)
+    camera, splats = CAMERAS["perspective"], splats_of(THREE)
     before = wall(camera, 47.0)
     alone = [draw_splats(splats[:count], camera, ALL[:5], before=before, device=device) for count in (1, 2, 3)]
     with ThreadPoolExecutor(6) as threads:
         jobs = [
             threads.submit(draw_splats, splats[: 1 + n % 3], camera, ALL[:5], before=before, device=device)
-            for n in range(24)
+            for n in range(12)
         ]
         for n, job in enumerate(jobs):
             for name in ALL[:5]:
@@ -234,16 +236,16 @@ def test_occluded_views_are_culled(device: _core.GpuDevice) -> None:
 
 def test_large_splats_around_the_eye_are_drawn(device: _core.GpuDevice) -> None:
     """Blocks extend behind the eye, and splats across the picture: they are drawn tile by tile."""
-    splats = splats_of(THREE, size=64)
-    camera = replace(CAMERAS["inside"], size=(150, 120))
+    splats = splats_of(THREE, size=32)
+    camera = replace(CAMERAS["inside"], size=(90, 72))
     check(draw_splats(splats, camera, ALL, device=device), draw_splats(splats, camera, ALL), least=0.995)
     got, right = (draw_splats(splats, camera, ("color",), 4, device=own)["color"] for own in (device, None))
     assert (np.abs(got - right) < 0.1).mean() > 0.999
 
 
 def test_pictures_are_drawn_while_other_threads_upload_views(device: _core.GpuDevice) -> None:
-    camera, splats = replace(CAMERAS["perspective"], size=(160, 120)), splats_of(THREE, size=32)
-    before = wall(replace(camera, size=(480, 360)), 47.0)
+    camera, splats = CAMERAS["perspective"], splats_of(THREE, size=32)
+    before = wall(replace(camera, size=(192, 144)), 47.0)
     right = draw_splats(splats, camera, ("color",), 3, before=before)["color"]
     over = threading.Event()
 

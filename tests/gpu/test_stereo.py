@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 import nearfar as nf
 from nearfar import _core
 from nearfar._scene.builder import SceneBuilder
-from tests.support.gpu_cases import ADAPTERS, RENDERED, adapter, check_color, check_ids, crowd, view
+from tests.support.gpu_cases import RENDERED, adapter, check_color, check_ids, crowd, view
 
 HEAD = (0.0, 1.5, 2.0)
 AHEAD = (0.0, 0.0, 0.0, 1.0)
@@ -28,13 +28,11 @@ def rig(size: tuple[int, int] = (120, 100)) -> nf.stereo.HybridRig:
     return nf.stereo.HybridRig.of(nf.hmd.QUEST_2, mono_plane=4.0, size=size)
 
 
-@pytest.mark.parametrize("name", ADAPTERS)
 @pytest.mark.parametrize("samples", [1, 4])
-def test_adapters_agree_with_the_tracer(name: str, samples: int) -> None:
+def test_adapters_agree_with_the_tracer(backend: str, samples: int) -> None:
     scene = crowd(("one_7",))
     expected = rig().render(scene, HEAD, channels=CHANNELS, samples=samples, backend="cpu")
-    with adapter(name):
-        found = rig().render(scene, HEAD, channels=CHANNELS, samples=samples, backend="gpu")
+    found = rig().render(scene, HEAD, channels=CHANNELS, samples=samples, backend="gpu")
     for side in ("left", "right"):
         reference, test = getattr(expected, side), getattr(found, side)
         check_ids(reference.require("face_id"), test.require("face_id"), share=0.99)
@@ -44,15 +42,13 @@ def test_adapters_agree_with_the_tracer(name: str, samples: int) -> None:
         assert (apart > 0.3).mean() < 0.01
 
 
-@pytest.mark.parametrize("name", ADAPTERS)
 @pytest.mark.parametrize("samples", [1, 4])
-def test_culling_changes_no_pixel_of_the_eyes(name: str, samples: int) -> None:
+def test_culling_changes_no_pixel_of_the_eyes(backend: str, samples: int) -> None:
     scene = crowd(("one_7",))
-    with adapter(name):
-        frames = [
-            rig().render(scene, HEAD, channels=CHANNELS, samples=samples, backend="gpu", cull=cull)
-            for cull in ("frustum", "discard", "occlusion")
-        ]
+    frames = [
+        rig().render(scene, HEAD, channels=CHANNELS, samples=samples, backend="gpu", cull=cull)
+        for cull in ("frustum", "discard", "occlusion")
+    ]
     for other in frames[1:]:
         for side in ("left", "right"):
             for channel in CHANNELS:
@@ -67,41 +63,37 @@ def test_culling_changes_no_pixel_of_the_eyes(name: str, samples: int) -> None:
         assert hidden.sum() >= other.stats["pixels"]["discarded"]
 
 
-@pytest.mark.parametrize("name", ADAPTERS)
-def test_geometry_behind_hidden_pixels_is_not_drawn(name: str) -> None:
+def test_geometry_behind_hidden_pixels_is_not_drawn(backend: str) -> None:
     scene, camera = crowd(), view((0, 0.5, 1), (0, 0, -6), size=(64, 48))
     hidden = np.zeros((48, 64), bool)
     hidden[:, 60:] = True
     drawn: dict[tuple[bool, bool], int] = {}
-    with adapter(name):
-        device = _core.GpuDevice(name)
-        for masked, occlusion in ((False, True), (True, False), (True, True)):
-            shot = nf.Shot(
-                cameras=(camera,),
-                channels=("face_id",),
-                mask=hidden if masked else None,
-                occlusion=occlusion,
-            )
-            before = device.counters()[3]
-            (job,) = device.truth(scene._core, [camera._core], shot.settings)
-            faces = job.finish()["face_id"]
-            drawn[masked, occlusion] = device.counters()[3] - before
-            if not masked:
-                whole = faces
-            else:
-                np.testing.assert_array_equal(faces[hidden], whole[hidden])
-                assert (faces[~hidden] == -1).all()
+    device = _core.GpuDevice(backend)
+    for masked, occlusion in ((False, True), (True, False), (True, True)):
+        shot = nf.Shot(
+            cameras=(camera,),
+            channels=("face_id",),
+            mask=hidden if masked else None,
+            occlusion=occlusion,
+        )
+        before = device.counters()[3]
+        (job,) = device.truth(scene._core, [camera._core], shot.settings)
+        faces = job.finish()["face_id"]
+        drawn[masked, occlusion] = device.counters()[3] - before
+        if not masked:
+            whole = faces
+        else:
+            np.testing.assert_array_equal(faces[hidden], whole[hidden])
+            assert (faces[~hidden] == -1).all()
     assert drawn[True, True] < drawn[True, False] == drawn[False, True]
 
 
-@pytest.mark.parametrize("name", ADAPTERS)
 @pytest.mark.parametrize("samples", [1, 4])
-def test_adapter_samples_are_resolved_like_the_tracers(name: str, samples: int) -> None:
+def test_adapter_samples_are_resolved_like_the_tracers(backend: str, samples: int) -> None:
     scene = crowd(("one_7",))
     settings: dict[str, Any] = {"samples": samples, "assembly": "resolved"}
     expected = rig().render(scene, HEAD, backend="cpu", **settings)
-    with adapter(name):
-        found = [rig().render(scene, HEAD, backend="gpu", cull=cull, **settings) for cull in ("frustum", "occlusion")]
+    found = [rig().render(scene, HEAD, backend="gpu", cull=cull, **settings) for cull in ("frustum", "occlusion")]
     for side in ("left", "right"):
         check_color(
             getattr(expected, side), getattr(found[1], side), percentile=98.0 if samples == 1 else 90.0, codes=3
@@ -109,27 +101,25 @@ def test_adapter_samples_are_resolved_like_the_tracers(name: str, samples: int) 
         np.testing.assert_array_equal(*(getattr(frame, side).require("color") for frame in found))
 
 
-@pytest.mark.parametrize("name", ADAPTERS)
-def test_instances_known_to_be_invisible_are_not_drawn(name: str) -> None:
+def test_instances_known_to_be_invisible_are_not_drawn(backend: str) -> None:
     scene, camera = crowd(("one_7", "one_11")), view((0, 0.5, 1), (0, 0, -6), size=(64, 48))
-    with adapter(name):
-        device = _core.GpuDevice(name)
+    device = _core.GpuDevice(backend)
 
-        def draw_instances(instances: NDArray[np.bool_] | None) -> tuple[NDArray[np.int64], int]:
-            shot = nf.Shot(cameras=(camera,), channels=("face_id",), instances=instances)
-            before = device.counters()[3]
-            (job,) = device.truth(scene._core, [camera._core], shot.settings)
-            return job.finish()["face_id"], device.counters()[3] - before
+    def draw_instances(instances: NDArray[np.bool_] | None) -> tuple[NDArray[np.int64], int]:
+        shot = nf.Shot(cameras=(camera,), channels=("face_id",), instances=instances)
+        before = device.counters()[3]
+        (job,) = device.truth(scene._core, [camera._core], shot.settings)
+        return job.finish()["face_id"], device.counters()[3] - before
 
-        whole, triangles = draw_instances(None)
-        faces, fewer = draw_instances(np.zeros(instance_count(scene), bool))
-        assert (faces == -1).all()
-        assert fewer == 0
-        same, as_many = draw_instances(np.ones(instance_count(scene), bool))
-        np.testing.assert_array_equal(same, whole)
-        assert as_many >= triangles
-        with pytest.raises(ValueError, match="instances: expected"):
-            draw_instances(np.ones(instance_count(scene) + 1, bool))
+    whole, triangles = draw_instances(None)
+    faces, fewer = draw_instances(np.zeros(instance_count(scene), bool))
+    assert (faces == -1).all()
+    assert fewer == 0
+    same, as_many = draw_instances(np.ones(instance_count(scene), bool))
+    np.testing.assert_array_equal(same, whole)
+    assert as_many >= triangles
+    with pytest.raises(ValueError, match="instances: expected"):
+        draw_instances(np.ones(instance_count(scene) + 1, bool))
 
 
 @contextmanager

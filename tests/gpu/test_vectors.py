@@ -13,25 +13,18 @@ from tests.support.vectors import cases, check
 pytestmark = pytest.mark.usefixtures("backend")
 
 
-def check_morph(case: dict[str, Any], kind: str) -> None:
-    place = {name: case[name] for name in ("user", "center", "r1", "r2", "strength")}
-    found = gpu.morph(np.array(case["points"], np.float32), kind=kind, **place)
-    check(found, case["shown"], case["tolerance"]["wgsl"])
-
-
 def exact_cases(file: str, section: str = "cases") -> list[Any]:
     """Return cases whose inputs are exact in float32."""
     return [parameters for parameters in cases(file, section) if "wgsl" in parameters.values[0]["tolerance"]]
 
 
-@pytest.mark.parametrize("case", exact_cases("blend"))
-def test_the_blend_shows_points_where_the_formula_says(case: dict[str, Any]) -> None:
-    check_morph(case, "blend")
-
-
-@pytest.mark.parametrize("case", exact_cases("cylinder"))
-def test_the_cylinder_shows_points_where_the_formula_says(case: dict[str, Any]) -> None:
-    check_morph(case, "cylinder")
+@pytest.mark.parametrize("kind", ["blend", "cylinder"])
+def test_morphs_show_points_where_the_formula_says(kind: str) -> None:
+    for parameters in exact_cases(kind):
+        (case,) = parameters.values
+        place = {name: case[name] for name in ("user", "center", "r1", "r2", "strength")}
+        found = gpu.morph(np.array(case["points"], np.float32), kind=kind, **place)
+        check(found, case["shown"], case["tolerance"]["wgsl"])
 
 
 @pytest.mark.parametrize("case", exact_cases("cubemap", "directions"))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shutil
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +13,7 @@ from PIL import Image
 
 import nearfar as nf
 from tests.support import need
+from tests.support.flight_cases import Gate, gated
 from tests.support.orthoview_cases import boxes
 from tests.support.orthoview_stores import CELL, SIZE, built_once, few_boxes, layered_tree, world_of
 from tests.support.shared_folders import make_once
@@ -51,6 +53,13 @@ def thirty() -> nf.Scene:
 def layered(tmp_path_factory: pytest.TempPathFactory) -> Tree:
     """A tree of the thirty boxes."""
     return layered_tree(tmp_path_factory)
+
+
+@pytest.fixture
+def gate(monkeypatch: pytest.MonkeyPatch) -> Iterator[Gate]:
+    """A gate for all reads of flights."""
+    with gated(monkeypatch) as gate:
+        yield gate
 
 
 @pytest.fixture

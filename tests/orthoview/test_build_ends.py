@@ -3,20 +3,31 @@
 from __future__ import annotations
 
 import errno
-from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 import nearfar as nf
 from nearfar.orthoview import _update
 from nearfar.orthoview._shard import ShardWriter
 from tests.support import need
+from tests.support.flight_cases import camera_at
 from tests.support.orthoview_cases import boxes
-from tests.support.orthoview_stores import CELL, SIZE, Counted, Interrupted, built_once, contents, ended, of_cells
+from tests.support.orthoview_stores import (
+    CELL,
+    SIZE,
+    Counted,
+    Interrupted,
+    Late,
+    Partial,
+    built_once,
+    contents,
+    ended,
+    of_cells,
+)
 
 need("zarr")
 
@@ -54,7 +65,8 @@ def test_cells_whose_query_fails_are_named_and_built_later(few: nf.Scene, few_tr
     assert "incomplete" in repr(first)
     # All other cells are whole; those above the two are as in a world without them.
     cells, failed = of_cells(few), [*first.failed]
-    without = nf.orthoview.build(Without(few, [few_tree.box(0, leaf) for leaf in failed]), tmp_path / "b", **SETTINGS)
+    empty = Partial(few, [few_tree.box(0, leaf) for leaf in failed], is_empty_there=True)
+    without = nf.orthoview.build(empty, tmp_path / "b", **SETTINGS)
     for leaf in failed:
         with pytest.raises(ValueError, match="is missing: OSError: the disk is gone"):
             first.view(0, leaf, 4)
@@ -62,9 +74,7 @@ def test_cells_whose_query_fails_are_named_and_built_later(few: nf.Scene, few_tr
         is_above = level > 0 and any(tuple(number >> level for number in leaf) == place for leaf in failed)
         if (level, place) not in [(0, leaf) for leaf in failed]:
             assert same_view(first, without if is_above else few_tree, level, place)
-    middle = few.bounds.mean(axis=0)
-    fov = nf.Fov.symmetric(60.0, 4 / 3)
-    camera = nf.Camera.look_at(middle + np.array([0.0, 20.0, 90.0]), middle, fov=fov, size=(64, 48))
+    camera = camera_at(few_tree, 90)
     frame = first.render(camera)
     assert np.array_equal(frame.require("color"), without.render(camera).require("color"))
     assert frame.stats["failed"] == 2
@@ -86,19 +96,6 @@ def test_cells_whose_query_fails_are_named_and_built_later(few: nf.Scene, few_tr
     assert (second.held, second.done["drawn"]) == (few_tree.held, few_tree.done["drawn"])
     # Chunks of a shard are in the order of creation, so bytes differ where cells are built later.
     assert all(same_view(second, few_tree, level, place) for level, place in cells)
-
-
-class Without(Counted):
-    """A world that is empty in some leaves."""
-
-    def __init__(self, world: nf.Scene, boxes: Sequence[NDArray[np.float64]]) -> None:
-        super().__init__(world)
-        self.boxes = boxes
-
-    def query(self, aabb: ArrayLike, detail: Any = 0.0) -> nf.Scene:
-        if any(np.array_equal(box, aabb) for box in self.boxes):
-            return self._scene.query([[1e6] * 3, [1e6 + 1] * 3])
-        return super().query(aabb, detail)
 
 
 def same_view(one: Tree, other: Tree, level: int, place: tuple[int, int, int]) -> bool:
@@ -231,21 +228,15 @@ def test_webp_colours_are_resumed(few: nf.Scene, tmp_path: Path, quality: int | 
 def test_a_resumed_build_keeps_the_chosen_directions(tmp_path: Path) -> None:
     path = tmp_path / "world.zarr"
 
-    class Leaf(Counted):
+    class Leaf(Late):
         bounds = np.array([[40.0, -3.0, -60.0], [59.0, 16.0, -41.0]])
-
-    class Ending(Leaf):
-        def query(self, aabb: ArrayLike, detail: Any = 0.0) -> nf.Scene:
-            if (path / "zarr.json").exists():
-                raise KeyboardInterrupt
-            return super().query(aabb, detail)
 
     corners = np.array([[-99, 0, -99], [-99, 0, 99], [99, 0, 99], [99, 0, -99]], np.float32)
     ground = nf.Scene.from_arrays(corners, np.array([[0, 1, 2], [0, 2, 3]], np.uint32))
     settings: dict[str, Any] = {"cell": 20.0, "size": SIZE, "directions": "auto", "geometry": False}
     with pytest.raises(KeyboardInterrupt):
-        nf.orthoview.build(Ending(ground), path, **settings)
+        nf.orthoview.build(Leaf(ground, path), path, **settings)
     assert len(nf.orthoview.open(path).directions) == 5
     dense = boxes(40)[0]
-    assert len(nf.orthoview.build(Leaf(dense), path, **settings).directions) == 5
-    assert len(nf.orthoview.build(Leaf(dense), tmp_path / "fresh.zarr", **settings).directions) > 5
+    assert len(nf.orthoview.build(Leaf(dense, tmp_path), path, **settings).directions) == 5
+    assert len(nf.orthoview.build(Leaf(dense, tmp_path), tmp_path / "fresh.zarr", **settings).directions) > 5

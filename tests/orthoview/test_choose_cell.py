@@ -8,13 +8,12 @@ from typing import Any
 
 import numpy as np
 import pytest
-from numpy.typing import ArrayLike
 
 import nearfar as nf
 from nearfar.orthoview import _choose_cell, _sampling
 from nearfar.orthoview._grid import Grid
 from tests.support import need
-from tests.support.orthoview_stores import Counted, Telling, places
+from tests.support.orthoview_stores import Counted, Late, Telling, places
 
 SIDE, PITCH = 640.0, 2.0
 PER_SQUARE_METRE = 2 / PITCH**2
@@ -93,19 +92,6 @@ def test_a_resumed_build_keeps_the_chosen_side(tmp_path: Path, monkeypatch: pyte
         assert nf.orthoview.choose_cell(scene, size=16, directions=5).cell < side
         resumed = nf.orthoview.build(scene, path, **settings)
     assert (resumed.cell, resumed.is_complete) == (side, True)
-
-
-class Late(Counted):
-    """A source that is interrupted by its first query after the store was begun."""
-
-    def __init__(self, scene: nf.Scene, path: Path) -> None:
-        super().__init__(scene)
-        self._path = path
-
-    def query(self, aabb: ArrayLike, detail: Any = 0.0) -> nf.Scene:
-        if (self._path / "zarr.json").exists():
-            raise KeyboardInterrupt
-        return super().query(aabb, detail)
 
 
 @pytest.mark.parametrize("cell", [5.0, 20.0, 90.0])

@@ -12,11 +12,8 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from benchmarks.orthoview.counts import swap_distances
-from tests.support import need
 from tests.support.flight_cases import camera_at, holes
 from tests.support.orthoview_stores import built_once, world_of
-
-need("zarr")
 
 Tree = nf.orthoview.OrthoTree
 

@@ -172,17 +172,6 @@ def test_cuts_of_random_viewers_equal_the_oracle(
         reject()
 
 
-@pytest.mark.parametrize("name", CAMERAS)
-def test_each_leaf_is_covered_once(tree: nf.orthoview.OrthoTree, cells: oracle.World, name: str) -> None:
-    leaves = [place for level, place in cells.shown if level == 0]
-    assert len(leaves) == tree.held["leaves"]
-    for error_px in (0.5, 4.0):
-        own = cells_of(tree.cut(CAMERAS[name], error_px=error_px, around=True))
-        for x, y, z in leaves:
-            above = [(level, (x >> level, y >> level, z >> level)) for level in range(tree.levels)]
-            assert sum(cell in own for cell in above) == 1, (x, y, z)
-
-
 SLANTED = looking((-31.7, 15.3, 22.3), (0, 5, 3), PLAN)
 
 

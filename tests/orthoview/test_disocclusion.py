@@ -121,7 +121,8 @@ def test_disocclusion_equals_rays_back_to_the_views() -> None:
     grid = Grid((40.0, -3.0, -60.0), SIDE, (1, 1, 1))
     box, holes, total = grid.box(0, ALONE), dict.fromkeys(COUNTS, 0), 0
     looks = viewers()
-    for viewer, points in zip(looks, measure._visible(scene, box, looks), strict=True):
+    for viewer, visible in zip(looks, measure._visible(scene, box, looks), strict=True):
+        points = visible[::5]
         total += len(points)
         for count in COUNTS:
             shown = np.zeros(len(points), bool)
@@ -135,7 +136,7 @@ def test_disocclusion_equals_rays_back_to_the_views() -> None:
                 shown |= nf.cast_rays(scene, starts, np.broadcast_to(toward, starts.shape)).t_hit > room
             holes[count] += int((~shown).sum())
     exact = {count: number / total for count, number in holes.items()}
-    measured = disocclusion(scene, grid, ALONE, size=512)
+    measured = disocclusion(scene, grid, ALONE, size=256)
     assert exact[5] > 0.05
     # Views show surfaces at grazing angles poorly, and also show points within a pixel of their own.
     assert all(abs(exact[count] - measured[count]) < 0.015 for count in COUNTS), (exact, measured)
@@ -217,7 +218,8 @@ def far_apart() -> nf.Scene:
     return nf.Scene.from_arrays(points, np.arange(len(points)).reshape(-1, 3))
 
 
-def test_sparse_worlds_need_queries_per_level_instead_of_per_leaf() -> None:
+def test_sparse_worlds_need_queries_per_level_instead_of_per_leaf(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(measure, "RAYS", 16)
     world = Touching(far_apart())
     grid = Grid.from_bounds(world.bounds, SIDE)
     assert grid.levels >= 14
@@ -260,22 +262,8 @@ def test_leaves_of_sources_without_touches_are_sampled_evenly() -> None:
     assert list(leaves(world, few)) == list(leaves(world, few)) != sorted(leaves(world, few))
 
 
-@pytest.mark.slow
-def test_choices_are_deterministic() -> None:
-    scene, _ = boxes(30, 80.0)
-    grid = Grid.from_bounds(scene.bounds, 60.0)
-    one = choose_directions(scene, grid)
-    assert one == choose_directions(scene.query(scene.bounds), grid)
-    assert one.count == smallest_set(one.shares)
-    # The mean over its leaves, weighted by pixels, lies between their minimum and maximum.
-    each = [
-        disocclusion(scene.query(grid.box(0, place)), grid, place) for place in measure._densest(scene, grid, print)
-    ]
-    assert min(shares[5] for shares in each) < one.shares[5] < max(shares[5] for shares in each)
-    assert one.cells == len(each)
-
-
-def test_leaves_whose_query_fails_are_skipped() -> None:
+def test_leaves_whose_query_fails_are_skipped(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(measure, "RAYS", 16)
     scene, _ = boxes(30, 80.0)
     grid = Grid.from_bounds(scene.bounds, 30.0)
     near = [place for place in leaves(scene, grid) if place[0] == 2 and scene.query(grid.box(0, place)).triangle_count]

@@ -19,7 +19,7 @@ import pytest
 import nearfar as nf
 from nearfar.orthoview import _loader
 from tests.support import need
-from tests.support.flight_cases import CHANNELS, LONG, Gate, camera_at, gated, is_same, there, whole
+from tests.support.flight_cases import CHANNELS, LONG, Gate, camera_at, is_same, there, whole
 from tests.support.orthoview_stores import CELL, SIZE, box_about, world_of
 from tests.support.range_server import RangeHandler, running
 from tests.support.shared_folders import make_once
@@ -75,12 +75,6 @@ def server(tree: Tree, monkeypatch: pytest.MonkeyPatch) -> Iterator[Server]:
     monkeypatch.setattr(_loader, "MAX_PAUSE", 0.02)
     with serving(Path(tree.path).parent) as server:
         yield server
-
-
-@pytest.fixture
-def gate(monkeypatch: pytest.MonkeyPatch) -> Iterator[Gate]:
-    with gated(monkeypatch) as gate:
-        yield gate
 
 
 COARSE: dict[str, Any] = {"views": 1, "error_px": 4.0}

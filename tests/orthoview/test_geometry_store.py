@@ -13,13 +13,13 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar._base.errors import FormatError
-from nearfar._scene.tileset import subtree as subtrees
 from nearfar.orthoview import _availability as availability
 from nearfar.orthoview._geometry import step_of
 from nearfar.orthoview._geometry_store import GeometryStore
-from nearfar.orthoview._grid import Grid, Place
+from nearfar.orthoview._grid import Grid
 from nearfar.orthoview._owners import owned_mask
 from tests.support import need, valid
+from tests.support.bundle_cases import content
 from tests.support.bundled_scenes import balls, farthest
 from tests.support.geometry_cases import parts, stored, world_triangles
 from tests.support.orthoview_cases import boxes
@@ -130,7 +130,7 @@ def test_an_empty_world_has_an_empty_tileset(tmp_path: Path) -> None:
 def test_rewritten_files_have_the_same_bytes(case: Case, tmp_path: Path) -> None:
     copy = tmp_path / "store"
     shutil.copytree(case.folder.parent, copy)
-    before = contents(copy)
+    before = content(copy)
     # A build that was interrupted while it wrote a file leaves a temporary file.
     (copy / "geometry" / "content" / "rest.tmp").write_bytes(b"")
     store = GeometryStore(copy, case.grid)
@@ -138,11 +138,7 @@ def test_rewritten_files_have_the_same_bytes(case: Case, tmp_path: Path) -> None
     assert store.write(part, place) > 0
     assert store.finish() == case.counts
     (copy / "geometry" / "content" / "rest.tmp").unlink()
-    assert contents(copy) == before
-
-
-def contents(folder: Path) -> dict[str, bytes]:
-    return {path.relative_to(folder).as_posix(): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
+    assert content(copy) == before
 
 
 def test_the_lowest_subtrees_have_many_levels() -> None:
@@ -150,56 +146,6 @@ def test_the_lowest_subtrees_have_many_levels() -> None:
     for levels in range(1, 26):
         own = availability.subtree_levels(levels)
         assert levels - (levels - 1) // own * own >= min(levels, 3)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("levels", [1, 3, 4, 5, 8, 9])
-def test_subtrees_list_available_cells(levels: int, tmp_path: Path) -> None:
-    """Compares availability with sets of cells, through nearfar's reader."""
-    rng = np.random.default_rng(levels)
-    leaves = np.unique(rng.integers(0, 1 << (levels - 1), (20, 3)) // np.array([1, 1, 2]), axis=0)
-    own = {tuple(place): np.sort(rng.normal(size=(2, 3)), axis=0) for place in leaves.tolist()}
-    above: dict[tuple[int, ...], list[NDArray[np.float64]]] = {}
-    for place, box in own.items():
-        for level in range(levels):
-            above.setdefault((level, *(number >> (levels - 1 - level) for number in place)), []).append(box)
-    whole = {cell: np.array([np.min(b, axis=0)[0], np.max(b, axis=0)[1]]) for cell, b in above.items()}
-
-    def box_of(place: Place) -> NDArray[np.float64]:
-        return own[place]
-
-    found = availability.write(tmp_path, levels, leaves[rng.permutation(len(leaves))], box_of)
-    np.testing.assert_array_equal(found, whole[0, 0, 0, 0])
-    depths = availability.subtree_levels(levels)
-    properties = subtrees.box_properties({"schema": availability.SCHEMA})
-    roots = {cell for cell in whole if cell[0] % depths == 0}
-    assert {path.name for path in tmp_path.iterdir()} == {
-        availability.NAME.format(level=level, x=x, y=y, z=z) for level, x, y, z in roots
-    }
-    for level, x, y, z in roots:
-        data = (tmp_path / availability.NAME.format(level=level, x=x, y=y, z=z)).read_bytes()
-        read = subtrees.read(data, 3, depths, lambda uri: b"", properties)
-        assert read.boxes is not None
-        row = 0
-        for depth in range(depths + 1):
-            for number in range(8**depth):
-                bits = [(number >> 3 * bit) & 7 for bit in range(depth)]
-                steps = [sum((part >> axis & 1) << bit for bit, part in enumerate(bits)) for axis in range(3)]
-                cell = (level + depth, *((n << depth) + step for n, step in zip((x, y, z), steps, strict=True)))
-                if depth == depths:
-                    assert read.children.bit(number) == (cell in whole)
-                    continue
-                bit = subtrees.tiles_above(depth, 3) + number
-                assert read.tiles.bit(bit) == (cell in whole)
-                assert read.contents[0].bit(bit) == (cell in whole and cell[0] == levels - 1)
-                if cell in whole:
-                    # z up: (x, −z, y).
-                    (x0, y0, z0), (x1, y1, z1) = whole[cell]
-                    middle, *axes = read.boxes[row]
-                    np.testing.assert_allclose(middle, [(x0 + x1) / 2, -(z0 + z1) / 2, (y0 + y1) / 2])
-                    np.testing.assert_allclose(axes, np.diag([(x1 - x0) / 2, (z1 - z0) / 2, (y1 - y0) / 2]))
-                    row += 1
-        assert row == len(read.boxes)
 
 
 # damage ---------------------------------------------------------------------------------------------------------------
@@ -259,7 +205,7 @@ def test_the_gltf_validator_finds_no_errors(case: Case) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["boxes", "balls"])
-def test_3d_tiles_renderer_finds_all_contents(name: str, tmp_path: Path) -> None:
+def test_3d_tiles_renderer_finds_all_content(name: str, tmp_path: Path) -> None:
     need("node")
     # Only balls without an image, because three.js decodes images in browsers only.
     world = balls().subset(objects=[f"ball {n}" for n in range(12)]) if name == "balls" else boxes(20, 40.0)[0]

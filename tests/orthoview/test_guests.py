@@ -104,11 +104,8 @@ def test_guests_are_parsed_from_text() -> None:
 @pytest.mark.parametrize(
     ("leaf", "guest"),
     [
-        ((0, 0, 0), (5, 1, 7)),
-        ((8, 0, 8), (8, 0, 8)),
-        ((8, 0, 8), (20, 0, 0)),
-        ((8, 0, 8), (0, -1, 0)),
-        ((8, 4, 8), (0, 0, 0)),
+        *(((0, 0, 0), (5, 1, 7)), ((8, 0, 8), (8, 0, 8)), ((8, 0, 8), (20, 0, 0))),
+        *(((8, 0, 8), (0, -1, 0)), ((8, 4, 8), (0, 0, 0))),
     ],
 )
 def test_impossible_guests_are_refused(leaf: Place, guest: Place) -> None:

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 import nearfar as nf
 from nearfar._reduce.drawing import MorphKind
 from tests.support import need
+from tests.support.reduce_cases import place
 
 need("zarr")
 
@@ -36,12 +37,6 @@ def camera_at(center: tuple[float, float, float], angle: float, distance: float 
     return nf.Camera.look_at(eye, center, fov=nf.Fov.symmetric(50), size=(64, 64))
 
 
-def translation(x: float, y: float, z: float) -> NDArray[np.float64]:
-    pose = np.eye(4)
-    pose[:3, 3] = x, y, z
-    return pose
-
-
 @pytest.mark.parametrize("offset", [(0.0, 0.0, 0.0), (0.0, 35.0, 0.0), (30.0, 10.0, -20.0)])
 def test_moving_objects_are_visible_where_they_are_nearer(
     layered: Tree, mover: nf.Scene, center: tuple[float, float, float], offset: tuple[float, float, float]
@@ -49,7 +44,7 @@ def test_moving_objects_are_visible_where_they_are_nearer(
     camera, channels = camera_at(center, 0.7), ("color", "range", "object_id", "position")
     dynamic = layered.with_dynamic(mover)
     (name,) = mover.object_names
-    poses = {name: dynamic.poses[name] + translation(*offset) - np.eye(4)}
+    poses = {name: dynamic.poses[name] + place(*offset) - np.eye(4)}
     both = nf.render(dynamic, camera, at=poses, channels=channels)
     alone = nf.render(layered, camera, channels=channels)
     only = nf.render(mover.with_dynamic([name]), camera, at=poses, channels=channels)
@@ -73,7 +68,7 @@ def test_a_tree_without_moving_objects_accepts_no_poses(layered: Tree, mover: nf
 def test_flights_show_moving_objects(layered: Tree, mover: nf.Scene, center: tuple[float, float, float]) -> None:
     camera, dynamic = camera_at(center, 0.7), layered.with_dynamic(mover)
     (name,) = mover.object_names
-    poses = {name: dynamic.poses[name] + translation(0.0, 35.0, 0.0) - np.eye(4)}
+    poses = {name: dynamic.poses[name] + place(0.0, 35.0, 0.0) - np.eye(4)}
     with dynamic.fly() as flight:
         flight.look(camera)
         assert flight.wait(60)
@@ -98,20 +93,26 @@ def test_the_near_scene_has_all_near_triangles(
     assert with_mover.triangle_count == near.triangle_count + mover.triangle_count
 
 
+def true_map(world: nf.Scene, center: tuple[float, float, float], size: int) -> tuple[nf.EnvMap, NDArray[Any]]:
+    """The world's map, and its range."""
+    env = nf.reduce(world, center=center, r1=R1, r2=R2, face_size=size, channels=("color", "range")).env
+    assert env is not None
+    assert env.range is not None
+    return env, env.range
+
+
 def test_the_map_of_a_tree_equals_that_of_the_world(
     layered: Tree, thirty: nf.Scene, center: tuple[float, float, float]
 ) -> None:
     made = layered.far_map(center, R2, face_size=64, samples=4, channels=("range",))
-    true = nf.reduce(thirty, center=center, r1=R1, r2=R2, face_size=64, channels=("color", "range")).env
-    assert true is not None
-    assert true.range is not None
+    true, true_range = true_map(thirty, center, 64)
     assert made.range is not None
-    is_hit, is_shown = np.isfinite(true.range), np.isfinite(made.range)
+    is_hit, is_shown = np.isfinite(true_range), np.isfinite(made.range)
     assert is_hit.mean() > 0.05
     assert (is_hit & ~is_shown).mean() < 0.02
     assert (is_shown & ~is_hit).mean() < 0.02
     both = is_hit & is_shown
-    assert np.median(np.abs(made.range[both] - true.range[both])) < 0.2
+    assert np.median(np.abs(made.range[both] - true_range[both])) < 0.2
     assert np.sqrt(((made.color - true.color) ** 2).mean()) < 0.08
 
 
@@ -121,8 +122,7 @@ def test_the_map_of_a_tree_shows_nothing_within_the_radius(
     """A map of geometry extends two texels inwards, one of views half a pixel."""
     size = 32
     made = layered.far_map(center, R2, face_size=size, samples=1, channels=("range",), error_px=1e3)
-    true = nf.reduce(thirty, center=center, r1=R1, r2=R2, face_size=size, channels=("color", "range")).env
-    assert true is not None
+    true, _ = true_map(thirty, center, size)
     cameras = [nf.Camera(center, fov=nf.CubeFace(face), size=(size, size)) for face in range(6)]
     rays = np.stack([camera.rays()[1] for camera in cameras])
     across = np.hypot(rays[..., 0], rays[..., 2])
@@ -135,15 +135,13 @@ def test_a_map_of_geometry_alone_equals_the_worlds(
     layered: Tree, thirty: nf.Scene, center: tuple[float, float, float]
 ) -> None:
     made = layered.far_map(center, R2, face_size=32, samples=4, channels=("range",), error_px=1e-6)
-    true = nf.reduce(thirty, center=center, r1=R1, r2=R2, face_size=32, channels=("color", "range")).env
-    assert true is not None
-    assert true.range is not None
+    _, true_range = true_map(thirty, center, 32)
     assert made.range is not None
-    is_hit = np.isfinite(true.range)
+    is_hit = np.isfinite(true_range)
     # Corners in a leaf's file are rounded to steps of a few millimetres.
     assert (is_hit != np.isfinite(made.range)).mean() < 0.005
     both = is_hit & np.isfinite(made.range)
-    assert np.quantile(np.abs(made.range[both] - true.range[both]), 0.99) < 0.05
+    assert np.quantile(np.abs(made.range[both] - true_range[both]), 0.99) < 0.05
 
 
 @pytest.mark.parametrize("morph", ["blend", "none"])
@@ -184,18 +182,14 @@ def test_a_saved_reduction_of_a_tree_is_restored(
         ({"backend": "gpu"}, "backend"),
         ({"samples": 2}, "samples"),
         ({"channels": ("color", "object_id")}, "channels"),
+        ({"center": (1e5, 0.0, 0.0)}, "geometry within r2"),
     ],
 )
 def test_unsupported_settings_of_trees_are_refused(
     layered: Tree, center: tuple[float, float, float], how: dict[str, Any], message: str
 ) -> None:
     with pytest.raises(ValueError, match=message):
-        nf.reduce(layered, center=center, r1=R1, r2=R2, face_size=16, **how)
-
-
-def test_a_centre_far_from_everything_is_refused(layered: Tree) -> None:
-    with pytest.raises(ValueError, match="geometry within r2"):
-        nf.reduce(layered, center=(1e5, 0.0, 0.0), r1=R1, r2=R2, face_size=16)
+        nf.reduce(layered, **{"center": center, "r1": R1, "r2": R2, "face_size": 16, **how})
 
 
 def test_a_tree_without_geometry_has_no_near_scene(thirty: nf.Scene, tmp_path: Path) -> None:

@@ -14,11 +14,8 @@ from nearfar.orthoview._cut import GEOMETRY, RECORD, Part, Settings
 from nearfar.orthoview._meter import HALF_LIFE, LinkTotals, Meter
 from nearfar.orthoview._pilot import HYSTERESIS, RATE_SHARE, RENEWED_TURN, Pilot, PrefetchSettings
 from nearfar.orthoview._prefetch import queue
-from tests.support import need
-from tests.support.flight_cases import FOV
+from tests.support.flight_cases import FOV, parts_of
 from tests.support.orthoview_cases import CORNER
-
-need("zarr")
 
 Tree = nf.orthoview.OrthoTree
 
@@ -59,12 +56,6 @@ def measured(pilot: Pilot, rate: float, view: int = 1000, leaf: int = 5000) -> N
     pilot.meter.note(0.0, LinkTotals(), had_requests=False)
     pilot.meter.note(1.0, LinkTotals(count, count * view, count, count * leaf), had_requests=True)
     assert pilot.meter.rate == pytest.approx(count * (view + leaf))
-
-
-def parts_around(tree: Tree, camera: nf.Camera, error_px: float = 1.0) -> set[Part]:
-    cut = tree.cut(camera, error_px=error_px, around=True)
-    leaves = tree._viewer.cutter.with_guests(cut.leaf_places())
-    return {*cut.keys(), *((0, place, GEOMETRY) for place in leaves)}
 
 
 def test_a_plan_needs_a_look(tree: Tree) -> None:
@@ -156,7 +147,7 @@ def test_the_speed_limit_follows_from_the_link(tree: Tree, height: float) -> Non
     pilot.plan(everything)
     camera = camera_at(offset)
     ahead = min(tree.prefetch_queue(camera.position, camera=camera).ahead, 30.0)
-    new = parts_around(tree, camera_at(offset + np.array([ahead, 0, 0]))) - parts_around(tree, camera)
+    new = set(parts_of(tree, camera_at(offset + np.array([ahead, 0, 0])))) - set(parts_of(tree, camera))
     assert new
     size = sum(5000 if part[2] == GEOMETRY else 1000 for part in new)
     assert pilot.speed_limit == pytest.approx(RATE_SHARE * 60_000 * ahead / size)
@@ -202,8 +193,9 @@ def test_a_fast_viewer_requests_a_coarser_picture(tree: Tree) -> None:
     limits = []
     for step in range(11):
         error = 2.0 ** (step / 2)
-        new = parts_around(tree, camera_at(offset + np.array([ahead, 0, 0])), error) - parts_around(tree, camera, error)
-        size = sum(5000 if part[2] == GEOMETRY else 1000 for part in new)
+        places = (camera, camera_at(offset + np.array([ahead, 0, 0])))
+        here, there = (set(parts_of(tree, place, error_px=error)) for place in places)
+        size = sum(5000 if part[2] == GEOMETRY else 1000 for part in there - here)
         limits.append(RATE_SHARE * 60_000 * ahead / size if size else math.inf)
     assert pilot.speed_limit == pytest.approx(limits[0])
     assert limits[0] < 400

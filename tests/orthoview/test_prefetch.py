@@ -14,10 +14,9 @@ from numpy.typing import NDArray
 import nearfar as nf
 from nearfar.orthoview._cut import GEOMETRY, Part
 from nearfar.orthoview._prefetch import Frustums
-from tests.support import cut_oracle, need
+from tests.support import cut_oracle
+from tests.support.flight_cases import parts_of
 from tests.support.orthoview_cases import CORNER
-
-need("zarr")
 
 Tree = nf.orthoview.OrthoTree
 
@@ -30,13 +29,6 @@ PLACES = {
 PAPER: dict[str, Any] = {"fov": nf.Fov.symmetric(60, 4 / 3), "size": (640, 480)}
 SMALL: dict[str, Any] = {"fov": nf.Fov.symmetric(60, 4 / 3), "size": (48, 36)}
 CAMERA = nf.Camera((0, 0, 0), **SMALL)
-
-
-def parts_of(tree: Tree, camera: nf.Camera, **settings: Any) -> list[Part]:
-    """Geometry and views of the cut all around, in its order."""
-    cut = tree.cut(camera, around=True, **settings)
-    leaves = tree._viewer.cutter.with_guests(cut.leaf_places())
-    return [*((0, place, GEOMETRY) for place in leaves), *cut.keys()]
 
 
 def distance_of(tree: Tree, part: Part, eye: NDArray[np.float64]) -> float:

@@ -1,4 +1,4 @@
-"""Other programs read stores: zarr-python and zarrita, from a folder and over HTTP, as in docs/orthoview.md."""
+"""Other programs read stores as in docs/orthoview.md: zarr-python over HTTP, and zarrita also from a folder."""
 
 from __future__ import annotations
 
@@ -18,6 +18,8 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from tests.support import need
+from tests.support.orthoview_oracle import decoded
+from tests.support.orthoview_stores import places
 from tests.support.range_server import serve_folder
 from tests.support.reader_cases import FOLDER, SECONDS, node
 from tests.support.shared_folders import make_once
@@ -32,14 +34,10 @@ Chunk = tuple[str, Place]
 """An array and an index in it."""
 
 
-@pytest.fixture(scope="module", autouse=True)
-def _zarr() -> None:
-    need("zarr")
-
-
 @pytest.fixture(scope="module")
 def path(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A store of boxes near one another and one far away, so that shards between them are missing."""
+    need("zarr")
     rng = np.random.default_rng(5)
     parts = []
     for x in (*rng.uniform(0, 30, 8), 175.0):
@@ -57,9 +55,8 @@ def layout_of(group: Any) -> dict[str, Any]:
     return layout
 
 
-def places(group: Any, level: int) -> list[Place]:
-    x, y, z = group[f"{level}/py"].shape[:3]
-    return [(column, layer, row) for column in range(x) for layer in range(y) for row in range(z)]
+def places_of(group: Any, level: int) -> list[Place]:
+    return places(group[f"{level}/py"].shape[:3])
 
 
 def check_views(tree: nf.orthoview.OrthoTree, group: Any, level: int, some: list[Place]) -> Counter[bool]:
@@ -81,30 +78,9 @@ def check_views(tree: nf.orthoview.OrthoTree, group: Any, level: int, some: list
             deep = CELL * 2**level * np.sqrt(len(name.split("_")))
             metres = np.where(codes > 0, (codes - 0.5) * deep / STEPS, np.inf)
             np.testing.assert_allclose(metres, view.depth, rtol=1e-6)
-            vectors = octahedral(normal.reshape(SIZE, SIZE, 2))[codes > 0]
+            vectors = decoded(normal.reshape(SIZE, SIZE, 2).astype(np.uint16), 8)[codes > 0]
             np.testing.assert_allclose(vectors, view.normal[codes > 0], atol=1e-5)
     return found
-
-
-def octahedral(codes: NDArray[np.uint8]) -> NDArray[np.float64]:
-    """Unit normals of two bytes each."""
-    x, y = np.moveaxis(codes / 254 * 2 - 1, -1, 0)
-    z = 1 - abs(x) - abs(y)
-    fold = np.maximum(-z, 0)
-    normal = np.stack([x - np.copysign(fold, x), y - np.copysign(fold, y), z], axis=-1)
-    unit: NDArray[np.float64] = normal / np.linalg.norm(normal, axis=-1, keepdims=True)
-    return unit
-
-
-def test_zarr_python_reads_the_views_of_the_tree(path: Path) -> None:
-    import zarr
-
-    group, tree = zarr.open_group(str(path), mode="r"), nf.orthoview.open(path)
-    assert layout_of(group)["levels"] == tree.levels == 6
-    for level in range(tree.levels):
-        found = check_views(tree, group, level, places(group, level)[:: 11 if level == 0 else 3])
-        assert found[True] > 2
-        assert found[False] > 20 or level > 1
 
 
 def test_zarr_python_reads_over_http(path: Path) -> None:
@@ -113,9 +89,12 @@ def test_zarr_python_reads_over_http(path: Path) -> None:
     need("fsspec")
     need("aiohttp")
     with serve_folder(path.parent) as server:
-        group = zarr.open_group(server.url + path.name, mode="r")
-        found = check_views(nf.orthoview.open(path), group, 0, places(group, 0)[::16])
-        assert min(found.values()) > 5
+        group, tree = zarr.open_group(server.url + path.name, mode="r"), nf.orthoview.open(path)
+        assert layout_of(group)["levels"] == tree.levels == 6
+        for level in range(tree.levels):
+            found = check_views(tree, group, level, places_of(group, level)[:: 16 if level == 0 else 3])
+            assert found[True] > 2
+            assert found[False] > 5 or level > 1
         shards = Counter({key: count for key, count in server.answers.items() if "/c/" in key[1]})
     assert {status for method, _, status in shards if method == "GET"} == {206, 404}
 
@@ -134,7 +113,7 @@ def some_chunks(group: Any) -> list[Chunk]:
         (f"{level}/{name}", place)
         for level in range(layout_of(group)["levels"])
         for name in NAMES
-        for place in places(group, level)[:: 29 if level == 0 else 5]
+        for place in places_of(group, level)[:: 29 if level == 0 else 5]
     ]
 
 
@@ -175,33 +154,6 @@ def test_zarrita_reads_chunks_and_fills_missing_ones(path: Path) -> None:
     assert {(method, status) for method, _, status in shards} == {("GET", 206), ("HEAD", 200), ("HEAD", 404)}
 
 
-@pytest.mark.slow
-def test_zarrita_checks_the_checksums_of_zstd(tmp_path: Path) -> None:
-    import zarr
-    from zarr.codecs import ZstdCodec
-
-    need("node")
-    group = zarr.create_group(str(tmp_path / "sums.zarr"))
-    group.create_array(
-        "array",
-        shape=(2, 2, 2, 48),
-        chunks=(1, 1, 1, 48),
-        shards=(2, 2, 2, 48),
-        dtype="u1",
-        fill_value=0,
-        compressors=[ZstdCodec(level=3, checksum=True)],
-    )[1, 0, 1] = np.arange(48)
-    place = str(tmp_path / "sums.zarr")
-    _, read = by_zarrita(place, [("array", (1, 0, 1)), ("array", (0, 0, 0))])
-    assert [base64.b64decode(got["bytes"]) for got in read] == [bytes(range(48)), bytes(48)]
-    shard = tmp_path / "sums.zarr" / "array" / "c" / "0" / "0" / "0" / "0"
-    content = bytearray(shard.read_bytes())
-    content[content.index(bytes(range(20, 30)))] ^= 1
-    shard.write_bytes(content)
-    with pytest.raises(AssertionError, match="doesn't match checksum"):
-        by_zarrita(place, [("array", (1, 0, 1))])
-
-
 SIDE = 32
 """Pixels of views in this test; the page's example has more."""
 
@@ -214,6 +166,7 @@ def blocks(language: str) -> list[str]:
 @pytest.fixture(scope="module")
 def city(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder in which the page's first example has run, with fewer blocks and smaller views."""
+    need("zarr")
     code = blocks("python")[0]
     for large, small in (("blocks=4", "blocks=2"), ("size=256", f"size={SIDE}")):
         assert large in code

@@ -6,7 +6,6 @@ import pickle
 import shutil
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
-from http.server import ThreadingHTTPServer
 from pathlib import Path
 
 import numpy as np
@@ -15,11 +14,9 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar._camera.shot import Shot
-from nearfar.orthoview._files import Local
 from tests.support import need
 from tests.support.flight_cases import camera_at, holes, images_of
 from tests.support.orthoview_stores import SIZE, box_about, world_of
-from tests.support.range_server import serve_folder
 
 need("zarr")
 
@@ -253,23 +250,6 @@ def test_without_a_cache_the_last_views_are_kept(layered: Tree) -> None:
     reads = tree._viewer.views.cache.reads
     tree.render(camera_at(tree, 200.0))
     assert tree._viewer.views.cache.reads > reads
-
-
-def test_a_tree_behind_a_web_server_looks_the_same(layered: Tree, monkeypatch: pytest.MonkeyPatch) -> None:
-    need("fsspec")
-    need("aiohttp")
-    # Parts are requested at once. With the default queue of five connections the others would wait for a second.
-    monkeypatch.setattr(ThreadingHTTPServer, "request_queue_size", 1024)
-    camera = camera_at(layered, 90)
-    local = layered.render(camera, channels=CHANNELS)
-    assert local.stats["leaves"] > 0
-    with serve_folder(Path(layered.path).parent) as server:
-        remote = nf.orthoview.open(f"{server.url}{Path(layered.path).name}")
-        assert_same(remote.render(camera, channels=CHANNELS), local)
-        asked = sum(server.answers.values())
-        remote.render(camera, channels=CHANNELS)
-        assert sum(server.answers.values()) == asked > 0
-    assert isinstance(layered._files, Local)
 
 
 def test_invalid_calls_of_render_are_named(layered: Tree) -> None:

@@ -21,9 +21,8 @@ from tests.support.flight_cases import FOV, LONG
 from tests.support.orthoview_cases import CORNER
 from tests.support.range_server import serve_folder
 
-need("zarr")
-
 Tree = nf.orthoview.OrthoTree
+
 Link = nf.stream.Link
 
 MIDDLE = CORNER + 40.0
@@ -75,12 +74,12 @@ def same(one: nf.orthoview.FlightLog, other: nf.orthoview.FlightLog) -> bool:
 
 
 @pytest.mark.parametrize("threads", [1, 16])
-def test_flights_over_http_make_the_simulated_requests(tree: Tree, threads: int) -> None:
+def test_flights_over_http_make_the_simulated_requests(few_tree: Tree, threads: int) -> None:
     """Each view is one request, as is each file of a leaf and each record; one thread makes them in the same order."""
     need("fsspec")
     need("aiohttp")
-    cameras, folder = path(2, step=(4.0, 0, 0)), Path(tree.path)
-    simulated = flown(tree, [each for camera in cameras for each in [camera] * 4], threads)
+    cameras, folder = path(2, step=(4.0, 0, 0)), Path(few_tree.path)
+    simulated = flown(few_tree, [each for camera in cameras for each in [camera] * 4], threads)
     with serve_folder(folder.parent) as server:
         remote = nf.orthoview.open(server.url + folder.name)
         opening = len(server.sent)
@@ -98,7 +97,7 @@ def test_flights_over_http_make_the_simulated_requests(tree: Tree, threads: int)
     # Besides views and leaves' files: a record for each subtree, and the list of records.
     assert len(found) <= read.views + files + records + 1
     assert read.views > 50
-    assert files > 20
+    assert files > 10
     assert opening == 1
 
 
@@ -117,13 +116,13 @@ def test_leaves_are_requested_as_decoding_reads_them(city: Tree, textured: Tree)
         assert found
 
 
-def test_simulated_threads_have_one_request_each(tree: Tree) -> None:
+def test_simulated_threads_have_one_request_each(few_tree: Tree) -> None:
     """Without rate limit and handshake, n requests of t threads that begin at once take n/t round trips."""
     link = Link(1e6, rtt_ms=1000.0, handshake=0.0)
     for threads in (1, 4, 64):
-        log = nf.orthoview.simulate(tree, still(2), link=link, rate=1.0, threads=threads, prefetch=False)
+        log = nf.orthoview.simulate(few_tree, still(2), link=link, rate=1.0, threads=threads, prefetch=False)
         assert log.requests <= 2 * threads
-    settled = nf.orthoview.simulate(tree, still(150), link=link, rate=1.0, threads=8, prefetch=False)
+    settled = nf.orthoview.simulate(few_tree, still(150), link=link, rate=1.0, threads=8, prefetch=False)
     arrivals = np.flatnonzero(np.diff(settled.received))
     assert len(arrivals) >= settled.requests / 8
 
@@ -150,25 +149,25 @@ def test_leaves_wait_for_a_texture_that_another_one_has_requested() -> None:
     assert received == {(2, 10): [0, 0, 13, 13, 13], (2, 0): [0, 0, 11, 23, 23], (1, 10): [0, 0, 11, 13, 13]}
 
 
-def test_simulations_are_deterministic(tree: Tree) -> None:
+def test_simulations_are_deterministic(few_tree: Tree) -> None:
     cameras = path(20)
     lossy = Link(5.0, rtt_ms=20.0, loss=0.05)
-    first, second = (nf.orthoview.simulate(tree, cameras, link=lossy, seed=3) for _ in range(2))
+    first, second = (nf.orthoview.simulate(few_tree, cameras, link=lossy, seed=3) for _ in range(2))
     assert same(first, second)
-    assert not same(first, nf.orthoview.simulate(tree, cameras, link=lossy, seed=4))
+    assert not same(first, nf.orthoview.simulate(few_tree, cameras, link=lossy, seed=4))
     np.testing.assert_allclose(first.time, np.arange(20) / 72)
-    slow = nf.orthoview.simulate(tree, cameras, link=lossy, seed=3, rate=10)
+    slow = nf.orthoview.simulate(few_tree, cameras, link=lossy, seed=3, rate=10)
     np.testing.assert_allclose(slow.time, np.arange(20) / 10)
 
 
-def test_frames_count_the_parts_of_their_cuts(tree: Tree) -> None:
+def test_frames_count_the_parts_of_their_cuts(few_tree: Tree) -> None:
     """The first frame lacks all parts; at rest everything arrives, and nothing is missing afterwards."""
     cameras = still(60)
-    log = nf.orthoview.simulate(tree, cameras, link=Link(20.0), views=2)
-    cut = tree.cut(cameras[0], views=2)
+    log = nf.orthoview.simulate(few_tree, cameras, link=Link(20.0), views=2)
+    cut = few_tree.cut(cameras[0], views=2)
     leaves = cut.leaf_places(in_picture=True)
     # Files of guests count for each leaf that has them.
-    files = sum(len(tree._viewer.cutter.with_guests([leaf])) for leaf in leaves)
+    files = sum(len(few_tree._viewer.cutter.with_guests([leaf])) for leaf in leaves)
     # At first only the record of the root is wanted.
     assert log.missing[0] == log.wanted[0] == 1
     assert log.wanted[-1] == len(cut.keys(in_picture=True)) + files >= log.missing.max()
@@ -203,42 +202,42 @@ def test_all_needed_parts_are_requested_once(tree: Tree) -> None:
 
 
 @pytest.mark.parametrize("mbps", [1.0, 10.0])
-def test_a_link_delivers_at_most_its_rate(tree: Tree, mbps: float) -> None:
+def test_a_link_delivers_at_most_its_rate(few_tree: Tree, mbps: float) -> None:
     """Only complete files count: at most 16 of them are in transit."""
-    log = nf.orthoview.simulate(tree, still(72), link=Link(mbps))
+    log = nf.orthoview.simulate(few_tree, still(72), link=Link(mbps))
     sent = log.time * mbps * 1e6 / 8
     assert (np.diff(log.received) >= 0).all()
     assert (log.received <= sent + 1e-6).all()
     busy = log.received < log.asked
     assert busy.any()
-    largest = max(sizes(tree, {part}) for part in tree.prefetch_queue(MIDDLE).needed[::20])
+    largest = max(sizes(few_tree, {part}) for part in few_tree.prefetch_queue(MIDDLE).needed[::20])
     # Records come first, one after the other, in slow start and with pauses until the next frame.
     assert (np.diff(log.received[busy]) <= np.diff(sent).max() + 16 * max(largest, 20_000)).all()
     assert log.received[-1] > 0.5 * min(sent[-1], log.asked)
 
 
-def test_a_round_trip_delays_every_part(tree: Tree) -> None:
-    log = nf.orthoview.simulate(tree, still(72), link=Link(1e6, rtt_ms=100.0))
+def test_a_round_trip_delays_every_part(few_tree: Tree) -> None:
+    log = nf.orthoview.simulate(few_tree, still(72), link=Link(1e6, rtt_ms=100.0))
     # Two round trips of the handshake, one for the list of records, and one for the first record.
     assert (log.received[log.time < 0.4] == 0).all()
     assert log.received[-1] > 0
 
 
-def test_with_a_fast_link_only_the_first_frames_stall(tree: Tree) -> None:
+def test_with_a_fast_link_only_the_first_frames_stall(few_tree: Tree) -> None:
     """New parts of a frame are requested then, and present in the next one; each tier of records takes a frame."""
-    tiers = tree._layout.tiers
-    log = nf.orthoview.simulate(tree, path(30), link=FAST, adapt=False)
+    tiers = few_tree._layout.tiers
+    log = nf.orthoview.simulate(few_tree, path(30), link=FAST, adapt=False)
     assert log.stalled[: tiers + 1].all()
     assert not log.stalled[tiers + 1 :].any()
-    bare = nf.orthoview.simulate(tree, path(30), link=FAST, adapt=False, prefetch=False)
+    bare = nf.orthoview.simulate(few_tree, path(30), link=FAST, adapt=False, prefetch=False)
     assert bare.stalled[tiers + 1 :].any()
 
 
 @pytest.mark.parametrize("mbps", [4.0, 30.0])
-def test_prefetching_saves_stalls(tree: Tree, mbps: float) -> None:
+def test_prefetching_saves_stalls(few_tree: Tree, mbps: float) -> None:
     cameras = [*still(60), *path(60, step=(0.4, 0, 0))]
     logs = [
-        nf.orthoview.simulate(tree, cameras, link=Link(mbps, rtt_ms=20.0), adapt=False, prefetch=prefetch)
+        nf.orthoview.simulate(few_tree, cameras, link=Link(mbps, rtt_ms=20.0), adapt=False, prefetch=prefetch)
         for prefetch in (True, False)
     ]
     # Starting when the viewer begins to move.
@@ -247,31 +246,31 @@ def test_prefetching_saves_stalls(tree: Tree, mbps: float) -> None:
     assert ahead.sum() < bare.sum()
 
 
-def test_a_small_cache_requests_parts_again(tree: Tree) -> None:
+def test_a_small_cache_requests_parts_again(few_tree: Tree) -> None:
     """Flies forward and back; needed parts are always kept."""
     cameras = [*path(20, step=(3.0, 0, 0)), *path(20, step=(3.0, 0, 0))[::-1]]
     large, small = (
-        nf.orthoview.simulate(tree, cameras, link=FAST, adapt=False, prefetch=False, cache_bytes=count)
+        nf.orthoview.simulate(few_tree, cameras, link=FAST, adapt=False, prefetch=False, cache_bytes=count)
         for count in (1 << 30, 0)
     )
     assert small.asked > 1.2 * large.asked
     assert small.stalled.sum() >= large.stalled.sum()
-    coarsest = set(tree.cut(cameras[0], error_px=1e30, geometry=False, around=True).keys())
+    coarsest = set(few_tree.cut(cameras[0], error_px=1e30, geometry=False, around=True).keys())
     distinct: set[Part] = set()
     for camera in cameras[:20]:
-        cut = tree.cut(camera)
-        leaves = tree._viewer.cutter.with_guests(cut.leaf_places(in_picture=True))
+        cut = few_tree.cut(camera)
+        leaves = few_tree._viewer.cutter.with_guests(cut.leaf_places(in_picture=True))
         distinct |= {*cut.keys(in_picture=True), *((0, place, -1) for place in leaves)}
-    records = sum(request.bytes for request in flown(tree, cameras[:20], 1) if is_record(request))
-    assert sizes(tree, distinct) <= large.asked <= sizes(tree, distinct | coarsest) + records
-    resting = nf.orthoview.simulate(tree, still(60), link=FAST, cache_bytes=0)
-    kept = nf.orthoview.simulate(tree, still(60), link=FAST)
+    records = sum(request.bytes for request in flown(few_tree, cameras[:20], 1) if is_record(request))
+    assert sizes(few_tree, distinct) <= large.asked <= sizes(few_tree, distinct | coarsest) + records
+    resting = nf.orthoview.simulate(few_tree, still(60), link=FAST, cache_bytes=0)
+    kept = nf.orthoview.simulate(few_tree, still(60), link=FAST)
     assert resting.asked == kept.asked
     assert not resting.stalled[4:].any()
 
 
 def test_pictures_are_coarser_on_a_slow_link(tree: Tree) -> None:
-    cameras = [*path(40, step=(1.5, 0, 0)), *[path(40, step=(1.5, 0, 0))[-1]] * 100]
+    cameras = [*path(40, step=(1.5, 0, 0)), *[path(40, step=(1.5, 0, 0))[-1]] * 80]
     log = nf.orthoview.simulate(tree, cameras, link=Link(5.0), rate=20.0)
     fixed = nf.orthoview.simulate(tree, cameras[:60], link=Link(5.0), rate=20.0, adapt=False)
     assert log.error_px[0] == log.error_px[-1] == log.error_px.min() == 1.0
@@ -293,12 +292,12 @@ def test_logs_describe_themselves() -> None:
     assert log.coarser.tolist() == [False, False, True, False]
 
 
-def test_logs_are_plotted(tree: Tree, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_logs_are_plotted(few_tree: Tree, monkeypatch: pytest.MonkeyPatch) -> None:
     need("matplotlib")
     monkeypatch.setenv("MPLBACKEND", "agg")
     from matplotlib import pyplot
 
-    log = nf.orthoview.simulate(tree, still(10), link=Link(20.0))
+    log = nf.orthoview.simulate(few_tree, still(10), link=Link(20.0))
     rows: dict[Value, Any] = {"bytes": log.received, "missing": log.missing, "error_px": log.error_px}
     for value, row in rows.items():
         ax = log.plot(value=value)
@@ -309,6 +308,6 @@ def test_logs_are_plotted(tree: Tree, monkeypatch: pytest.MonkeyPatch) -> None:
     pyplot.close("all")
 
 
-def test_a_flight_needs_cameras(tree: Tree) -> None:
+def test_a_flight_needs_cameras(few_tree: Tree) -> None:
     with pytest.raises(ValueError, match="cameras: expected at least one, got none"):
-        nf.orthoview.simulate(tree, [], link=FAST)
+        nf.orthoview.simulate(few_tree, [], link=FAST)

@@ -18,14 +18,10 @@ from nearfar.orthoview._gaussians import Gaussians, matrices
 from nearfar.orthoview._splat_cells import Cell, Cells
 from nearfar.orthoview._splat_export import sun_of
 from tests.support import need, printed_by_threads
+from tests.support.bundle_cases import content
 from tests.support.reader_cases import node
 from tests.support.splat_files import PACKED, SPLATS, Rows, Tile, glb_parts, glb_rows, spz_rows, tiles
 from tests.support.splat_pages import Look, spark
-
-
-@pytest.fixture(scope="module", autouse=True)
-def _zarr() -> None:
-    need("zarr")
 
 
 @pytest.fixture(scope="module")
@@ -194,18 +190,12 @@ def test_a_failed_export_keeps_the_older_one(
                 few_tree.export_splats(folder / name, level=2)
         assert list(folder.iterdir()) == []
         few_tree.export_splats(folder / name, level=2)
-        before = contents(folder)
+        before = content(folder)
         with monkeypatch.context() as patch:
             patch.setattr("nearfar._base.side_by_side.results", stopped)
             with pytest.raises(KeyboardInterrupt):
                 few_tree.export_splats(folder / name, level=2)
-        assert contents(folder) == before
-        few_tree.export_splats(folder / name, level=2)
-        assert contents(folder) == before
-
-
-def contents(folder: Path) -> dict[str, bytes]:
-    return {str(path.relative_to(folder)): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
+        assert content(folder) == before
 
 
 def test_invalid_arguments_of_exports_are_refused(

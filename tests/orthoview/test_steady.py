@@ -14,6 +14,7 @@ import nearfar as nf
 from nearfar import _core
 from nearfar._render.ranged import ranged
 from tests.support import printed_by_threads
+from tests.support.flight_cases import camera_at
 from tests.support.steady_oracle import blended
 
 Steady = nf.orthoview.Steady
@@ -79,11 +80,9 @@ def test_the_kernel_with_motion_equals_loops() -> None:
     np.testing.assert_allclose(mixed, expected, atol=2e-6)
 
 
-def eye(tree: Tree, angle: float, size: tuple[int, int] = (160, 120)) -> nf.Camera:
+def eye(tree: Tree, angle: float) -> nf.Camera:
     """A view of the whole tree from above."""
-    middle = tree.bounds.mean(axis=0)
-    toward = np.array([np.cos(angle), 0.6, np.sin(angle)])
-    return nf.Camera.look_at(middle + 160 * toward, middle, fov=nf.Fov.symmetric(50, size[0] / size[1]), size=size)
+    return camera_at(tree, 187.0, angle, size=(120, 120))
 
 
 def directions_of(tree: Tree, camera: nf.Camera) -> set[Any]:

@@ -43,13 +43,6 @@ def test_damaged_attributes_are_named(bare: Path, content: str) -> None:
         nf.orthoview.open(bare)
 
 
-def test_attributes_fit_their_schema(few_tree: nf.orthoview.OrthoTree, bare: Path) -> None:
-    attributes = json.loads((bare / "zarr.json").read_text())["attributes"]["nearfar"]
-    assert valid(attributes, "orthoview")
-    assert not valid(attributes | {"complete": "yes"}, "orthoview")
-    assert attributes["held"] == few_tree.held
-
-
 @pytest.mark.parametrize(("version", "message"), [(99, "which reads up to version 2"), (1, "build it again")])
 def test_stores_of_other_versions_are_refused(bare: Path, version: int, message: str) -> None:
     document = (bare / "zarr.json").read_text().replace('"version": 2', f'"version": {version}')
@@ -58,7 +51,11 @@ def test_stores_of_other_versions_are_refused(bare: Path, version: int, message:
         nf.orthoview.open(bare)
 
 
-def test_records_fit_their_schemas(few_tree: nf.orthoview.OrthoTree, copied_few: Path) -> None:
+def test_documents_fit_their_schemas(few_tree: nf.orthoview.OrthoTree, copied_few: Path) -> None:
+    attributes = json.loads((copied_few / "zarr.json").read_text())["attributes"]["nearfar"]
+    assert valid(attributes, "orthoview")
+    assert not valid(attributes | {"complete": "yes"}, "orthoview")
+    assert attributes["held"] == few_tree.held
     nf.orthoview.open(copied_few).update(few_tree.box(0, (3, 1, 3)), world_of(range(9)))
     documents = {
         "orthoview_records": [copied_few / "nearfar" / "records.json"],
@@ -352,22 +349,20 @@ def test_a_store_created_meanwhile_is_not_replaced(
     assert source.queries == 0
 
 
-@pytest.mark.parametrize(
-    ("name", "value"),
-    [
-        ("counts", [1.5, 1, 1]),
-        ("counts", [0, 0, 0]),
-        ("origin", [None, 0, 0]),
-        ("cell", "1"),
-        ("cell", -1),
-        ("directions", [[1, 2, 3]]),
-        ("layers", 7),
-        ("color", "jpg"),
-        ("size", 30),
-        ("names", []),
-        ("subtree", None),
-    ],
-)
+IMPOSSIBLE: dict[str, tuple[Any, ...]] = {
+    "counts": ([1.5, 1, 1], [0, 0, 0]),
+    "origin": ([None, 0, 0],),
+    "cell": ("1", -1),
+    "directions": ([[1, 2, 3]],),
+    "layers": (7,),
+    "color": ("jpg",),
+    "size": (30,),
+    "names": ([],),
+    "subtree": (None,),
+}
+
+
+@pytest.mark.parametrize(("name", "value"), [(name, value) for name in IMPOSSIBLE for value in IMPOSSIBLE[name]])
 def test_impossible_layouts_are_refused(bare: Path, few: nf.Scene, name: str, value: Any) -> None:
     document = json.loads((bare / "zarr.json").read_text())
     document["attributes"]["nearfar"]["layout"][name] = value

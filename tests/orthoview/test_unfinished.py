@@ -13,7 +13,8 @@ import nearfar as nf
 from nearfar.serve._server import Server
 from nearfar.view._tree import tree_files
 from tests.support import need
-from tests.support.orthoview_stores import CELL, SIZE, Counted, Interrupted, places
+from tests.support.flight_cases import camera_at
+from tests.support.orthoview_stores import CELL, SIZE, Counted, Interrupted, Partial, places
 from tests.support.range_server import serve_folder
 
 need("zarr")
@@ -39,30 +40,11 @@ class Recorded(Interrupted):
         return part
 
 
-class Only(Counted):
-    """A world that is empty outside of some leaves."""
-
-    def __init__(self, scene: nf.Scene, boxes: list[NDArray[np.float64]]) -> None:
-        super().__init__(scene)
-        self._boxes = {box.tobytes() for box in boxes}
-
-    def query(self, aabb: ArrayLike, detail: Any = 0.0) -> nf.Scene:
-        if np.asarray(aabb).tobytes() in self._boxes:
-            return super().query(aabb, detail)
-        return self._scene.query([[1e6] * 3, [1e6 + 1] * 3])
-
-
 def interrupted(scene: nf.Scene, path: Path, at: int) -> Recorded:
     source = Recorded(scene, at)
     with pytest.raises(KeyboardInterrupt):
         nf.orthoview.build(source, path, **SETTINGS)
     return source
-
-
-def camera_of(tree: Tree, distance: float = 90.0) -> nf.Camera:
-    middle = tree.bounds.mean(axis=0)
-    eye = middle + np.array([0.0, 0.3 * distance, distance])
-    return nf.Camera.look_at(eye, middle, fov=nf.Fov.symmetric(70.0, 4 / 3), size=(64, 48))
 
 
 @pytest.mark.parametrize("at", ENDS)
@@ -89,15 +71,15 @@ def test_an_interrupted_build_shows_the_leaves_that_it_reached(
             if view is not None and whole is not None:
                 np.testing.assert_array_equal(view.depth, whole.depth)
     # With an error far below a pixel leaves are drawn, however far away.
-    part = nf.orthoview.build(Only(few, source.boxes), tmp_path / "only.zarr", **SETTINGS)
+    part = nf.orthoview.build(Partial(few, source.boxes, is_empty_there=False), tmp_path / "only.zarr", **SETTINGS)
     finest: dict[str, Any] = {"error_px": 1e-3, "geometry": False}
-    camera = camera_of(tree)
+    camera = camera_at(tree, 90)
     frame, expected = tree.render(camera, **finest), part.render(camera, **finest)
     np.testing.assert_array_equal(frame.require("color"), expected.require("color"))
     assert frame.stats["unbuilt"] == tree.cut(camera, **finest).unbuilt > 0
     assert expected.stats["unbuilt"] == 0
     # Far away the largest finished cells are drawn, since no coarser ones exist.
-    far = camera_of(tree, 5000.0)
+    far = camera_at(tree, 5000)
     coverage = tree.render(far, geometry=False, channels=("coverage",)).require("coverage")
     assert bool(coverage.any()) == bool(tree.held["cells"])
     if tree.held["cells"]:
@@ -129,7 +111,7 @@ def test_an_interrupted_build_shows_the_leaves_that_it_reached(
 def test_a_flight_sees_a_running_build_grow(few: nf.Scene, few_tree: Tree, tmp_path: Path) -> None:
     path, unbuilt, colors = tmp_path / "world.zarr", [], []
     flights: list[Any] = []
-    camera = camera_of(few_tree)
+    camera = camera_at(few_tree, 90)
 
     def draw(flight: Any) -> NDArray[np.float32]:
         flight.render(camera)
@@ -175,7 +157,7 @@ def test_failed_leaves_of_a_running_build_are_named(few: nf.Scene, tmp_path: Pat
         nf.orthoview.build(Failing(few, 210), path, **SETTINGS)
     tree = nf.orthoview.open(path)
     assert list(tree.failed.values()) == ["OSError: the disk is gone"] * 2
-    assert tree.render(camera_of(tree)).stats["failed"] == 2
+    assert tree.render(camera_at(tree, 90)).stats["failed"] == 2
     nf.orthoview.build(few, path, **SETTINGS)
     assert nf.orthoview.open(path).failed == {}
 
@@ -187,7 +169,7 @@ def test_a_build_in_a_folder_is_served_as_it_is(few: nf.Scene, tmp_path: Path) -
     local = nf.orthoview.open(path)
     with Server.of_bundle(path) as server:
         remote = nf.orthoview.open(server.url)
-        camera = camera_of(local)
+        camera = camera_at(local, 90)
         frame = remote.render(camera, geometry=False)
         assert 0 < frame.stats["unbuilt"] <= local.render(camera, geometry=False).stats["unbuilt"] + 512
         assert frame.require("color").any()

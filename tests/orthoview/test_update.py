@@ -109,17 +109,6 @@ def check_work(updated: nf.orthoview.OrthoTree, levels: list[set[tuple[int, int,
     assert 0 < done["reloaded"] <= 15 * beside
 
 
-def test_removed_objects_leave_no_view(trees: Trees, tree: nf.orthoview.OrthoTree, tmp_path: Path) -> None:
-    emptied = world_of([])
-    box = np.array([emptied.bounds[0], emptied.bounds[1]])
-    updated = tree.update(box, emptied)
-    fresh = built(emptied, tmp_path / "empty.zarr")
-    assert updated.held == fresh.held
-    assert updated.held["leaves"] < trees["before"].held["leaves"] / 10
-    compacted = updated.compact(tmp_path / "compact.zarr")
-    assert contents(Path(compacted.path)) == contents(Path(fresh.path))
-
-
 def test_consecutive_updates_are_applied(trees: Trees, tree: nf.orthoview.OrthoTree, tmp_path: Path) -> None:
     """Applies a change and its inverse, and a change in two steps."""
     without = world_of(number for number in BEFORE if number not in REMOVED)

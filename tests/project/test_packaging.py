@@ -68,7 +68,7 @@ def installed(wheel: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     where = run(python, "-c", "import sysconfig; print(sysconfig.get_path('purelib'))").stdout.strip()
     process = run(
         *(sys.executable, "-m", "pip", "--python", python, "install", "--no-deps", "--no-index"),
-        *("--no-warn-script-location", wheel),
+        *("--no-compile", "--no-warn-script-location", wheel),
     )
     assert process.returncode == 0, process.stdout + process.stderr
     for top in _requirements(wheel):

@@ -19,6 +19,7 @@ PRIVATE_TO_COMMANDS = {
     "nearfar._reduce.default_radii",
     "nearfar._reduce.findings",
     "nearfar._reduce.folder",
+    "nearfar._scene.preview",
     "nearfar._source.protocol",
     "nearfar._trace.crossing",
     "nearfar._trace.viewpoint",

@@ -30,11 +30,7 @@ BASE = {
 
 def test_imports_count_to_the_file_that_defines_the_name(tmp_path: Path) -> None:
     graph = crate(tmp_path, BASE)
-    assert graph == {
-        "shapes/cube.rs": set(),
-        "shapes/ball.rs": set(),
-        "walk.rs": {"shapes/cube.rs", "shapes/ball.rs"},
-    }
+    assert graph == {"shapes/cube.rs": set(), "shapes/ball.rs": set(), "walk.rs": {"shapes/cube.rs", "shapes/ball.rs"}}
     assert cycles(graph) == []
 
 

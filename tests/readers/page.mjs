@@ -51,15 +51,17 @@ async function readFiles(bundle) {
   return files;
 }
 
-/** Update until nothing is left to load. */
-async function settled(tiles) {
+/** Updates until ten times in turn nothing is left to load and all loaded tiles are visible. */
+async function settle(tiles, loaded) {
   const deadline = performance.now() + 60_000;
-  while (!tiles.root || tiles.loadProgress < 1 || tiles.visibleTiles.size === 0) {
+  let calm = 0;
+  while (calm < 10) {
     if (performance.now() > deadline) throw new Error('the tileset does not finish loading');
     tiles.update();
-    await new Promise((done) => setTimeout(done, 20));
+    await new Promise((done) => setTimeout(done, 10));
+    const count = tiles.visibleTiles.size;
+    calm = tiles.root && tiles.loadProgress === 1 && count > 0 && count === loaded.length ? calm + 1 : 0;
   }
-  tiles.update();
 }
 
 /** Materials that show a mesh's own colour, or its normals, whatever the light. */
@@ -106,7 +108,7 @@ async function showTileset(bundle, renderer) {
   scene.updateMatrixWorld(true);
   tiles.setCamera(camera);
   tiles.setResolution(camera, ...size);
-  await settled(tiles);
+  await settle(tiles, models);
   const visible = [...tiles.visibleTiles].map((tile) => tile.content.uri);
   const loaded = models.map(({ scene: model, tile }) => ({
     uri: tile.content.uri,

@@ -170,6 +170,10 @@ def test_far_from_the_origin_saved_scenes_keep_their_digits(tmp_path: Path) -> N
     reduced.save(tmp_path / "saved", half=False)
     loaded = nf.ReducedScene.load(tmp_path / "saved")
     np.testing.assert_array_equal(loaded.scene.origin, reduced.scene.origin)
+    stated = glb.Decoder((tmp_path / "saved" / "near.glb").read_bytes(), None).document["scenes"][0]["extras"][
+        "nearfar"
+    ]
+    assert stated == {"center": list(reduced.center), "origin": [0, 0, 0], "r1": 20, "r2": 30}
     assert_same_pictures(reduced, loaded, camera(offset + np.array([2, 1.8, 1]), (0, -0.2, 1)))
 
 

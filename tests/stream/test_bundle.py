@@ -13,7 +13,8 @@ import trimesh
 
 import nearfar as nf
 from nearfar._reduce.drawing import Method
-from tests.support import need, valid
+from tests.support import valid
+from tests.support.bundle_cases import content
 
 CENTER = (3.0, 1.7, -2.0)
 RADII = (10.0, 22.0, 63.0)
@@ -27,11 +28,6 @@ SETTINGS: dict[str, Any] = {
     "quality": None,
     "step": 2.0**-14,
 }
-
-
-@pytest.fixture(scope="module")
-def city() -> nf.Scene:
-    return nf.datasets.city(blocks=3, detail=0)
 
 
 @pytest.fixture(scope="module")
@@ -55,9 +51,12 @@ def reduced(city: nf.Scene, ring: int, **changes: Any) -> nf.ReducedScene:
 
 
 @pytest.mark.parametrize(
-    ("ring", "radius"), [(1, 0.0), (1, 6.0), (1, 10.0), (2, 10.0), (2, 22.0), (3, 40.0), (3, 63.0)]
+    ("ring", "radius", "method"),
+    [
+        *((1, 0.0, "vertex"), (1, 6.0, "exact"), (1, 10.0, "vertex"), (2, 10.0, "exact")),
+        *((2, 22.0, "vertex"), (3, 40.0, "vertex"), (3, 63.0, "exact")),
+    ],
 )
-@pytest.mark.parametrize("method", ["exact", "vertex"])
 def test_a_client_shows_the_reduction(
     city: nf.Scene, bundle: nf.stream.Bundle, ring: int, radius: float, method: Method
 ) -> None:
@@ -110,11 +109,7 @@ def test_moving_objects_can_be_posed(city: nf.Scene, bundle: nf.stream.Bundle) -
 
 def test_bytes_do_not_depend_on_the_run(city: nf.Scene, folder: Path, tmp_path: Path) -> None:
     nf.stream.export(city, tmp_path / "again", **SETTINGS)
-    listed = sorted(path.relative_to(folder) for path in folder.rglob("*"))
-    assert listed == sorted(path.relative_to(tmp_path / "again") for path in (tmp_path / "again").rglob("*"))
-    for name in listed:
-        if (folder / name).is_file():
-            assert (folder / name).read_bytes() == (tmp_path / "again" / name).read_bytes(), name
+    assert content(tmp_path / "again") == content(folder)
 
 
 def test_the_manifest_lists_every_file(folder: Path, bundle: nf.stream.Bundle) -> None:
@@ -130,21 +125,6 @@ def test_the_manifest_lists_every_file(folder: Path, bundle: nf.stream.Bundle) -
     assert rows[0]["geometry"] == rows[0]["range"] == 0
     assert f"{manifest['dynamic']['triangles']:,} triangles, {dynamic:,} bytes" in bundle._repr_html_()
     bundle.verify()
-
-
-def test_bundles_load_from_urls(city: nf.Scene, folder: Path, bundle: nf.stream.Bundle) -> None:
-    need("fsspec")
-    import fsspec
-
-    url = "memory://worlds/city"
-    stored = nf.stream.export(city, url, **SETTINGS)
-    assert stored.nbytes == bundle.nbytes
-    system = fsspec.filesystem("memory")
-    assert system.cat("/worlds/city/manifest.json") == (folder / "manifest.json").read_bytes()
-    remote = nf.stream.open(f"{url}/manifest.json").at(1).render(VIEW, samples=1)
-    np.testing.assert_array_equal(remote.color, bundle.at(1).render(VIEW, samples=1).color)
-    with pytest.raises(ValueError, match="expected a URL that fsspec can open"):
-        nf.stream.open("nothing-known://a/b")
 
 
 def test_a_scene_far_from_the_origin_has_the_same_pictures(tmp_path: Path) -> None:
@@ -167,17 +147,6 @@ def test_a_scene_far_from_the_origin_has_the_same_pictures(tmp_path: Path) -> No
         assert bundle.radii == (30.0,)
     # Positions relative to other origins round differently by millimetres.
     assert (np.abs(frames[0] - frames[1]).max(axis=-1) > 8).mean() < 0.02
-
-
-def test_scenes_without_moving_or_near_objects_are_bundles(tmp_path: Path) -> None:
-    wall = nf.Scene.from_arrays([[-5, -5, -80], [5, -5, -80], [5, 5, -80]], [[0, 1, 2]])
-    given = {**SETTINGS, "center": (0, 0, 0), "radii": [10.0, 20.0, 100.0], "face_size": 384}
-    bundle = nf.stream.export(wall, tmp_path / "wall", **given)
-    view = nf.Camera.look_at((0, 0, 0), (0, 0, -1), fov=nf.Fov.symmetric(10, 1), size=(32, 32))
-    pictures = [bundle.at(ring).render(view, samples=1) for ring in range(4)]
-    for picture in pictures[1:]:
-        assert (np.abs(picture.require("color") - pictures[0].require("color")).max(axis=-1) > 0.01).mean() < 0.1
-    assert [row["triangles"] for row in bundle.summary()] == [0, 0, 0, 1]
 
 
 def test_plain_geometry_is_loaded_by_other_readers(city: nf.Scene, folder: Path, tmp_path: Path) -> None:

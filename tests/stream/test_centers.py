@@ -58,7 +58,7 @@ def scattered(count: int, seed: int, height: float) -> NDArray[np.float64]:
 
 
 @pytest.mark.parametrize("height", [0.0, 40.0])
-@pytest.mark.parametrize(("count", "seed"), [(1, 0), (2, 1), (3, 2), (24, 3), (32, 4)])
+@pytest.mark.parametrize(("count", "seed"), [(1, 0), (2, 1), (3, 2), (12, 3), (24, 4)])
 def test_neighbours_equal_the_definition(count: int, seed: int, height: float) -> None:
     points = scattered(count, seed, height)
     assert _regions.neighbours(points) == gabriel(points)
@@ -198,19 +198,6 @@ def test_radii_are_chosen_for_each_centre(tmp_path: Path) -> None:
     ):
         nf.stream.export(scene, tmp_path / "two", center=[beside, far], face_size=64, samples=1)
     assert not (tmp_path / "two").exists()
-
-
-def test_centres_inside_solids_are_noted(tmp_path: Path) -> None:
-    cube = np.array(list(itertools.product((-1.0, 1.0), repeat=3))) * 2.0
-    corners = [[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1], [2, 3, 7], [2, 7, 6], [0, 2, 6]]
-    scene = nf.Scene.from_arrays(cube, [*corners, [0, 6, 4], [1, 5, 7], [1, 7, 3]])
-    around = nf.Scene.from_arrays(cube * 4.0, [face[::-1] for face in [*corners, [0, 6, 4], [1, 5, 7], [1, 7, 3]]])
-    bundle = nf.stream.export(scene, tmp_path / "cube", center=[(0.5, 0, 0), (4, 0, 0)], **SETTINGS)
-    assert any("the centre seems to lie inside" in finding for finding in bundle.findings)
-    assert not any("seems to lie inside" in finding for finding in bundle.region(1).findings)
-    # A room's walls face the centre.
-    room = nf.stream.export(around, tmp_path / "room", center=(0, 0, 0), **SETTINGS)
-    assert not any("seems to lie inside" in finding for finding in room.findings)
 
 
 @pytest.mark.parametrize("neighbours", [[0], [4], [2, 1]])

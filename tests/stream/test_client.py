@@ -6,7 +6,6 @@ import asyncio
 import pickle
 import re
 import socket
-from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -38,57 +37,45 @@ need("aiohttp")
 CHECKOUT = Path(__file__).resolve().parents[2]
 
 
-@pytest.fixture(scope="module")
-def server() -> Iterator[Server]:
-    with served() as running:
-        yield running
+async def test_users_see_present_users(server: Server) -> None:
+    async with join(server.url, room="who", name="Ada é", group=3) as ada:
+        assert ada.users == {}
+        async with join(server.url, room="who", name="Grace") as grace:
+            assert grace.users == {ada.user: User(ada.user, "Ada é", 3)}
+            assert await anext(grace) == Joined(ada.user, "Ada é", 3)
+            assert await anext(ada) == Joined(grace.user, "Grace", 0)
+            assert ada.users == {grace.user: User(grace.user, "Grace", 0)}
+            assert ada.user != grace.user
+        assert await anext(ada) == Left(grace.user)
+        assert ada.users == {}
+        with pytest.raises(RoomError, match=r"\(bye\)"):
+            await grace.pose((0.0, 1.7, 0.0))
+        assert [type(event) async for event in grace] == [Ended]
 
 
-def test_users_see_present_users(server: Server) -> None:
-    async def script() -> None:
-        async with join(server.url, room="who", name="Ada é", group=3) as ada:
-            assert ada.users == {}
-            async with join(server.url, room="who", name="Grace") as grace:
-                assert grace.users == {ada.user: User(ada.user, "Ada é", 3)}
-                assert await anext(grace) == Joined(ada.user, "Ada é", 3)
-                assert await anext(ada) == Joined(grace.user, "Grace", 0)
-                assert ada.users == {grace.user: User(grace.user, "Grace", 0)}
-                assert ada.user != grace.user
-            assert await anext(ada) == Left(grace.user)
-            assert ada.users == {}
-            with pytest.raises(RoomError, match=r"\(bye\)"):
-                await grace.pose((0.0, 1.7, 0.0))
-            assert [type(event) async for event in grace] == [Ended]
-
-    run(script())
-
-
-def test_rooms_and_groups_are_separate(server: Server) -> None:
-    async def script() -> None:
-        async with (
-            join(server.url, room="hall", group=1) as one,
-            join(server.url, room="hall", group=1) as two,
-            join(server.url, room="hall", group=2) as three,
-            join(server.url, room="yard", group=1) as four,
-        ):
-            assert (len(one.users), len(four.users)) == (2, 0)
-            await one.pose((1.0, 2.0, 3.0))
-            await one.say(b"to the group")
-            await one.say(b"to the room", to="room")
-            assert (await until(two, Posed)).user == one.user
-            heard: list[object] = [await anext(three)]
-            while not isinstance(heard[-1], Said):
-                heard.append(await anext(three))
-            assert not [event for event in heard if isinstance(event, Posed)]
-            assert heard[-1] == Said(one.user, b"to the room", "room")
-            await four.say(b"in another room", to="room")
-            await two.say(b"end", to="room")
-            assert (await until(three, Said)).data == b"end"
-
-    run(script())
+async def test_rooms_and_groups_are_separate(server: Server) -> None:
+    async with (
+        join(server.url, room="hall", group=1) as one,
+        join(server.url, room="hall", group=1) as two,
+        join(server.url, room="hall", group=2) as three,
+        join(server.url, room="yard", group=1) as four,
+    ):
+        assert (len(one.users), len(four.users)) == (2, 0)
+        await one.pose((1.0, 2.0, 3.0))
+        await one.say(b"to the group")
+        await one.say(b"to the room", to="room")
+        assert (await until(two, Posed)).user == one.user
+        heard: list[object] = [await anext(three)]
+        while not isinstance(heard[-1], Said):
+            heard.append(await anext(three))
+        assert not [event for event in heard if isinstance(event, Posed)]
+        assert heard[-1] == Said(one.user, b"to the room", "room")
+        await four.say(b"in another room", to="room")
+        await two.say(b"end", to="room")
+        assert (await until(three, Said)).data == b"end"
 
 
-def test_poses_arrive_unchanged(server: Server) -> None:
+async def test_poses_arrive_unchanged(server: Server) -> None:
     rng = np.random.default_rng(5)
     turns = rng.normal(size=(3, 4))
     turns /= np.linalg.norm(turns, axis=1)[:, None]
@@ -100,89 +87,77 @@ def test_poses_arrive_unchanged(server: Server) -> None:
         # Half a step, and the rounding of float64.
         np.testing.assert_allclose(found.rotation, turns[number], rtol=0, atol=0.5 / 32767 + 1e-12)
 
-    async def script() -> None:
-        async with join(server.url, room="poses") as one, join(server.url, room="poses") as two:
-            left, right = (places[1], turns[1]), (places[2].tolist(), tuple(turns[2]))
-            for pointer in (None, ("head", 20.0), ("left", 0.0), ("right", 3.3)):
-                number = await one.pose(places[0], turns[0], left=left, right=right, pointer=pointer, stops=True)
-                event = await until(two, Posed)
-                assert (event.user, event.pose.sequence) == (one.user, number)
-                for place, expected in ((event.pose.head, 0), (event.pose.left, 1), (event.pose.right, 2)):
-                    is_same(place, expected)
-                shown = None if pointer is None else Pointer(pointer[0], float(np.float32(pointer[1])))
-                assert event.pose.pointer == shown
-                assert event.pose.stops
-                assert not event.pose.is_acknowledged
-            first = event.pose
-            await one.pose(places[0])
+    async with join(server.url, room="poses") as one, join(server.url, room="poses") as two:
+        left, right = (places[1], turns[1]), (places[2].tolist(), tuple(turns[2]))
+        for pointer in (None, ("head", 20.0), ("left", 0.0), ("right", 3.3)):
+            number = await one.pose(places[0], turns[0], left=left, right=right, pointer=pointer, stops=True)
             event = await until(two, Posed)
-            assert (event.pose.left, event.pose.right, event.pose.pointer) == (None, None, None)
-            assert event.pose.head.rotation.tolist() == list(REST)
-            assert (event.pose.sequence, event.pose.clock > first.clock) == (first.sequence + 1, True)
-
-    run(script())
-
-
-def test_all_users_receive_messages_in_the_same_order(server: Server) -> None:
-    async def script() -> None:
-        async with (
-            join(server.url, room="talk") as one,
-            join(server.url, room="talk") as two,
-            join(server.url, room="talk") as three,
-            join(server.url, room="talk") as four,
-        ):
-
-            async def speak(room: nf.stream.client.Room) -> None:
-                for number in range(40):
-                    await room.say(bytes([number]), to="room")
-
-            await asyncio.gather(speak(one), speak(two))
-            heard = await some(three, Said, 80)
-            assert heard == await some(four, Said, 80)
-            for user in (one.user, two.user):
-                assert [event.data[0] for event in heard if event.user == user] == list(range(40))
-            assert {event.to for event in heard} == {"room"}
-            await one.say(bytes(4096))
-            assert await until(two, Said, lambda event: event.to == "group") == Said(one.user, bytes(4096), "group")
-
-    run(script())
+            assert (event.user, event.pose.sequence) == (one.user, number)
+            for place, expected in ((event.pose.head, 0), (event.pose.left, 1), (event.pose.right, 2)):
+                is_same(place, expected)
+            shown = None if pointer is None else Pointer(pointer[0], float(np.float32(pointer[1])))
+            assert event.pose.pointer == shown
+            assert event.pose.stops
+            assert not event.pose.is_acknowledged
+        first = event.pose
+        await one.pose(places[0])
+        event = await until(two, Posed)
+        assert (event.pose.left, event.pose.right, event.pose.pointer) == (None, None, None)
+        assert event.pose.head.rotation.tolist() == list(REST)
+        assert (event.pose.sequence, event.pose.clock > first.clock) == (first.sequence + 1, True)
 
 
-def test_signals_reach_one_user(server: Server) -> None:
-    async def script() -> None:
-        async with (
-            join(server.url, room="signals", group=1) as one,
-            join(server.url, room="signals", group=2) as two,
-            join(server.url, room="signals", group=2) as three,
-        ):
-            await one.signal(two.user, memoryview(bytes(16000)))
-            assert await until(two, Signalled) == Signalled(one.user, bytes(16000))
-            await one.signal(12345 if one.user != 12345 else 1, b"to nobody")
-            await one.say(b"end", to="room")
-            events = [await anext(three)]
-            while not isinstance(events[-1], Said):
-                events.append(await anext(three))
-            assert not [event for event in events if isinstance(event, Signalled)]
+async def test_all_users_receive_messages_in_the_same_order(server: Server) -> None:
+    async with (
+        join(server.url, room="talk") as one,
+        join(server.url, room="talk") as two,
+        join(server.url, room="talk") as three,
+        join(server.url, room="talk") as four,
+    ):
 
-    run(script())
+        async def speak(room: nf.stream.client.Room) -> None:
+            for number in range(40):
+                await room.say(bytes([number]), to="room")
+
+        await asyncio.gather(speak(one), speak(two))
+        heard = await some(three, Said, 80)
+        assert heard == await some(four, Said, 80)
+        for user in (one.user, two.user):
+            assert [event.data[0] for event in heard if event.user == user] == list(range(40))
+        assert {event.to for event in heard} == {"room"}
+        await one.say(bytes(4096))
+        assert await until(two, Said, lambda event: event.to == "group") == Said(one.user, bytes(4096), "group")
 
 
-def test_round_trips_end_when_the_whole_group_has_acknowledged(server: Server) -> None:
-    async def script() -> None:
-        async with join(server.url, room="trips", group=1) as one:
-            # No user is present to acknowledge it.
-            await one.pose((0.0, 0.0, 0.0), acknowledged=True)
-            async with join(server.url, room="trips", group=1), join(server.url, room="trips", group=2):
-                await until(one, Joined)
-                for count in range(1, 4):
-                    await one.pose((0.0, 0.0, 0.0))
-                    number = await one.pose((0.0, 0.0, 0.0), acknowledged=True)
-                    settled = await until(one, Settled)
-                    assert settled.sequence == number
-                    assert one.round_trips.shape == (count,)
-                    assert one.round_trips[-1] == settled.seconds >= 0.0
+async def test_signals_reach_one_user(server: Server) -> None:
+    async with (
+        join(server.url, room="signals", group=1) as one,
+        join(server.url, room="signals", group=2) as two,
+        join(server.url, room="signals", group=2) as three,
+    ):
+        await one.signal(two.user, memoryview(bytes(16000)))
+        assert await until(two, Signalled) == Signalled(one.user, bytes(16000))
+        await one.signal(12345 if one.user != 12345 else 1, b"to nobody")
+        await one.say(b"end", to="room")
+        events = [await anext(three)]
+        while not isinstance(events[-1], Said):
+            events.append(await anext(three))
+        assert not [event for event in events if isinstance(event, Signalled)]
 
-    run(script())
+
+async def test_round_trips_end_when_the_whole_group_has_acknowledged(server: Server) -> None:
+    async with join(server.url, room="trips", group=1) as one:
+        # No user is present to acknowledge it.
+        await one.pose((0.0, 0.0, 0.0), acknowledged=True)
+        async with join(server.url, room="trips", group=1), join(server.url, room="trips", group=2):
+            await until(one, Joined)
+            for count in range(1, 4):
+                await one.pose((0.0, 0.0, 0.0))
+                number = await one.pose((0.0, 0.0, 0.0), acknowledged=True)
+                settled = await until(one, Settled)
+                assert settled.sequence == number
+                assert one.round_trips.shape == (count,)
+                assert one.round_trips[-1] == settled.seconds >= 0.0
 
 
 def test_a_self_signed_certificate_is_trusted_if_specified(tmp_path_factory: pytest.TempPathFactory) -> None:

@@ -45,8 +45,10 @@ def test_the_village_has_files_of_every_kind(folder: Path) -> None:
 
 @pytest.mark.parametrize("damage", DAMAGES)
 def test_a_missing_or_altered_file_is_named(copied: Path, damage: str) -> None:
+    used = nf.stream.open(copied)
+    use(used)
     listed = sorted(name for name in content(copied) if name != "manifest.json")
-    for name in listed:
+    for name in listed if damage == "changed" else listed[::3]:  # `open` checks that all are there and their sizes.
         opened = nf.stream.open(copied)
         data = (copied / name).read_bytes()
         altered = DAMAGES[damage](data)
@@ -54,7 +56,7 @@ def test_a_missing_or_altered_file_is_named(copied: Path, damage: str) -> None:
         if altered is not None:
             (copied / name).write_bytes(altered)
         named = re.escape(f"{copied}/{name}: expected ")
-        acts: list[Callable[[], object]] = [opened.verify, lambda: opened.read(name)]  # noqa: B023
+        acts: list[Callable[[], object]] = [used.verify, opened.verify, lambda: opened.read(name)]  # noqa: B023
         if name != "tileset.json":  # The file is for other programs.
             acts.append(lambda: use(opened))  # noqa: B023
         for act in acts:
@@ -67,19 +69,6 @@ def test_a_missing_or_altered_file_is_named(copied: Path, damage: str) -> None:
                 nf.stream.open(copied)
         (copied / name).write_bytes(data)
         opened.verify()
-
-
-def test_verify_reads_used_files_again(copied: Path) -> None:
-    bundle = nf.stream.open(copied)
-    use(bundle)
-    for name in bundle.files:
-        path = copied / name
-        data = path.read_bytes()
-        path.write_bytes(data[:-1] + bytes([data[-1] ^ 1]))
-        with pytest.raises(nf.FormatError, match=path.name):
-            bundle.verify()
-        path.write_bytes(data)
-    bundle.verify()
 
 
 def test_behind_a_url_the_first_use_names_the_file(folder: Path) -> None:
@@ -113,7 +102,7 @@ def places(node: Any, path: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ...]]:
 HEADER = ("generator", "units", "axes", "origin")
 """Fields of all our files that describe how to read them; readers of a single version do not need them."""
 
-WRONG: tuple[Any, ...] = (True, -1, 0.5, "x", [], {}, [None])
+WRONG: tuple[Any, ...] = (None, True, -1, 0.5, "x", [], {}, [None])
 
 
 def refusal(folder: Path) -> str:
@@ -150,7 +139,7 @@ def check_values(folder: Path, values: tuple[Any, ...]) -> int:
 
 
 def test_every_field_of_a_manifest_is_needed(copied: Path) -> None:
-    assert check_values(copied, (..., None)) > 180
+    assert check_values(copied, (...,)) > 90
 
 
 @pytest.mark.slow

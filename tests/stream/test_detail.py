@@ -17,7 +17,7 @@ from nearfar import _core
 from nearfar._base import glb
 from nearfar._scene.srgb import to_linear, to_srgb
 from nearfar.stream._detail import Detail, least_distances
-from tests.support import data, leveled_cases
+from tests.support import leveled_cases
 
 CENTER = (0.0, 1.7, 0.0)
 SETTINGS: dict[str, Any] = {"center": CENTER, "radii": (10.0, 40.0), "face_size": 64, "samples": 1}
@@ -229,27 +229,6 @@ def test_pictures_hardly_change_and_bytes_fall(tmp_path: Path) -> None:
         pictures = [bundle.at(2, 10.0).render(view, samples=samples) for bundle in (whole, cut)]
         assert nf.psnr(*pictures) > least
         assert nf.ssim(*pictures) > 0.99
-
-
-@pytest.mark.slow
-def test_a_real_object_at_a_distance(tmp_path: Path) -> None:
-    helmet = nf.Scene.load(data("objects/gltf/FlightHelmet/FlightHelmet.gltf"))
-    given = {**SETTINGS, "center": (0.0, 0.4, 31.0), "radii": (10.0, 40.0)}
-    whole, cut = (
-        nf.stream.export(helmet, tmp_path / name, **given, pixels_per_degree=value)
-        for name, value in (("whole", None), ("cut", 25.0))
-    )
-    assert texture_bytes(cut) < 0.1 * texture_bytes(whole)
-    view = nf.Camera.look_at((0, 0.4, 30), (0, 0.36, 0), fov=nf.Fov.symmetric(1.6), size=(40, 40))
-    pictures = [bundle.at(2, 10.0).render(view, samples=64) for bundle in (whole, cut)]
-    assert nf.psnr(*pictures) > 50.0
-    assert nf.ssim(*pictures) > 0.999
-
-
-def texture_bytes(bundle: nf.stream.Bundle) -> int:
-    """Bytes of the textures: pictures that rings list as parts."""
-    parts = {name for ring in bundle._region["rings"] for name in ring["parts"] if name.endswith(".webp")}
-    return sum(len(bundle.read(name)) for name in parts)
 
 
 def balls(*distances: float) -> nf.Scene:

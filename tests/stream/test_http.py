@@ -47,10 +47,9 @@ def url(folder: Path) -> Iterator[str]:
         yield server.url.rstrip("/")
 
 
-@pytest.mark.parametrize("place", ["{}", "{}/", "{}/manifest.json"])
-@pytest.mark.parametrize("name", [*NAMES, "ein%20D%C3%B6rfchen%2050%20%25"])
-def test_served_bundles_equal_written_ones(url: str, folder: Path, name: str, place: str) -> None:
-    bundle, local = nf.stream.open(place.format(f"{url}/{name}")), nf.stream.open(folder / NAMES[0])
+@pytest.mark.parametrize("place", ["city", "ein Dörfchen 50 %/", "ein%20D%C3%B6rfchen%2050%20%25/manifest.json"])
+def test_served_bundles_equal_written_ones(url: str, folder: Path, place: str) -> None:
+    bundle, local = nf.stream.open(f"{url}/{place}"), nf.stream.open(folder / NAMES[0])
     assert bundle.files == local.files
     bundle.verify()
     np.testing.assert_array_equal(bundle.map(2).color, local.map(2).color)

@@ -122,8 +122,7 @@ def press() -> NoReturn:
     raise AssertionError("the signal was lost")
 
 
-@pytest.mark.parametrize("call", [1, 2, 5, 13])
-@pytest.mark.parametrize("stands", [False, True])
+@pytest.mark.parametrize(("stands", "call"), [(True, 1), (True, 2), (True, 13), (False, 5)])
 def test_a_full_disk_keeps_the_old_bundle(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path, versions: Any, stands: bool, call: int
 ) -> None:
@@ -140,7 +139,7 @@ def test_a_full_disk_keeps_the_old_bundle(
     assert content(folder) == versions[1]
 
 
-@pytest.mark.parametrize("size", [0, 100, 700, 1500, 3900])
+@pytest.mark.parametrize("size", [0, 700, 3900])
 def test_a_file_size_limit_keeps_the_old_bundle(tmp_path: Path, versions: Any, size: int) -> None:
     """A system limit simulates a disk that is full after so many bytes of a file."""
     need("linux")
@@ -220,7 +219,7 @@ def test_behind_a_url_the_older_bundle_remains_until_the_manifest(
 ) -> None:
     old, new = versions
     written = len(new.keys() - old.keys()) + 2  # Files of the older bundle are not written again.
-    for call in range(1, written + 2):
+    for call in (1, 3, written // 2, written - 1, written, written + 1):
         memory.store.clear()
         bundle_cases.write(URL, **OLD)
         full = FullAfter(memory, call)

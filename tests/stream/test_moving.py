@@ -116,7 +116,7 @@ def test_a_mesh_that_is_also_static_is_stored_once(tmp_path: Path) -> None:
     bundle.verify()
 
 
-def test_faces_that_lose_their_area_produce_no_file(tmp_path: Path) -> None:
+def test_faces_that_lose_their_area_produce_no_file_and_no_tile(tmp_path: Path) -> None:
     builder = nf.SceneBuilder()
     builder.instance(builder.mesh(SQUARE, FACES), similarity(0.0, (-0.5, 1.0, -9)), name="wall")
     for name, place in (("speck", (0, 1.7, -3)), ("mover", (0, 1.7, -4))):
@@ -125,6 +125,8 @@ def test_faces_that_lose_their_area_produce_no_file(tmp_path: Path) -> None:
     manifest = json.loads((tmp_path / "b" / "manifest.json").read_text())
     assert manifest["dynamic"] is None
     assert manifest["regions"][0]["rings"][1]["geometry"] is None
+    tileset = json.loads((tmp_path / "b" / "tileset.json").read_text())
+    assert [tile["extras"].get("ring") for tile in tileset["root"]["children"]] == [2]
     assert bundle.at(2).scene.triangle_count == 2
 
 

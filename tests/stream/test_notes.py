@@ -95,7 +95,7 @@ def test_units_that_look_wrong_are_noted() -> None:
 
 def test_long_objects_are_measured_over_all_corners() -> None:
     """The oracle extracts the triangles of each object from the scene."""
-    city = nf.datasets.city(blocks=3, detail=0)
+    city = nf.datasets.city(blocks=2, detail=0)
     corners = np.add(city.triangles().reshape(-1, 3), (60_000.0, 0, 0))
     moved = nf.Scene.from_arrays(corners, np.arange(len(corners)).reshape(-1, 3))
     for of, center, radii in (
@@ -132,8 +132,14 @@ def test_rays_cover_the_sphere() -> None:
 
 
 def test_a_bundle_stores_its_notes(tmp_path: Path) -> None:
-    given: dict[str, Any] = {"center": (0, 2, 3.2), "radii": [5.0, 15.0], "face_size": 64, "samples": 1}
+    """Each region has its own, and walls that face the centre of a room surround no solid."""
+    centers = [(0, 2, 3.2), (0, 1.7, 0)]
+    given: dict[str, Any] = {"center": centers, "radii": [5.0, 15.0], "face_size": 64, "samples": 1}
     bundle = nf.stream.export(street(), tmp_path / "b", **given)
+    assert list(bundle.region(1).findings) == findings(street(), centers[1])
+    corners, faces = box((-9, -9, -9), (9, 9, 9))
+    seems = [findings(nf.Scene.from_arrays(corners, own), (0, 0, 0))[0] for own in (faces, faces[:, ::-1])]
+    assert ["seems to lie inside" in finding for finding in seems] == [True, False]
     assert bundle.findings[0].startswith("the centre seems to lie inside 'wall'")
     assert list(bundle.findings) == findings(street(), (0, 2, 3.2))
     manifest = json.loads((tmp_path / "b" / "manifest.json").read_text())

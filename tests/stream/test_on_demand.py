@@ -43,11 +43,6 @@ def write_bundle(folder: Path, parts: list[Part]) -> nf.stream.Bundle:
 
 
 @pytest.fixture(scope="module")
-def city() -> nf.Scene:
-    return nf.datasets.city(blocks=3, detail=0)
-
-
-@pytest.fixture(scope="module")
 def parts(city: nf.Scene) -> list[Part]:
     return make_parts(OnDemand(city, **SETTINGS))
 

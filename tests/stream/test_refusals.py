@@ -67,6 +67,9 @@ def test_no_path_at_all(path: Any) -> None:
 def test_unwritable_urls_are_refused(url: str) -> None:
     need("fsspec")
     check_refused(url, ValueError, "^path: expected a (URL that fsspec can open|URL that can be written), got")
+    if url.startswith("nothing"):
+        with pytest.raises(ValueError, match="expected a URL that fsspec can open"):
+            nf.stream.open(url)
 
 
 def test_a_missing_fsspec_is_named(monkeypatch: pytest.MonkeyPatch) -> None:

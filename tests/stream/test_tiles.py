@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar.stream import _on_demand, _store, _tiles
-from nearfar.stream._on_demand import OnDemand, Part
+from nearfar.stream._on_demand import OnDemand
 from nearfar.stream._tiles import Tiles
 
 ACROSS, STEP = 12, 11.0
@@ -46,10 +46,6 @@ def houses() -> tuple[NDArray[np.float32], NDArray[np.uint32], NDArray[np.int32]
 def scene() -> nf.Scene:
     vertices, faces, objects = houses()
     return nf.Scene.from_arrays(vertices, faces, face_object=objects)
-
-
-def parse_lines(parts: list[Part]) -> list[dict[str, Any]]:
-    return [json.loads(part.line) for part in parts]
 
 
 def triangles_of(scene: nf.Scene, name: str) -> NDArray[np.float32]:

@@ -103,21 +103,3 @@ def test_a_bundle_without_near_geometry_has_a_tileset_without_tiles(tmp_path: Pa
     tileset, _ = documents(tmp_path / "b")
     assert valid(tileset, "tileset")
     assert "children" not in tileset["root"]
-
-
-def test_an_altered_tileset_is_named(city: nf.Scene, tmp_path: Path) -> None:
-    bundle = nf.stream.export(city, tmp_path / "b", **SETTINGS | {"radii": [10.0]})
-    (tmp_path / "b" / "tileset.json").write_text("{}")
-    with pytest.raises(nf.FormatError, match=r"tileset\.json: expected"):
-        bundle.verify()
-
-
-def test_rings_and_moving_objects_whose_faces_lose_their_area_are_no_tiles(tmp_path: Path) -> None:
-    builder = nf.SceneBuilder()
-    sliver = builder.mesh(np.diag([0.001, 0.001, 0.0]) - [0, 0, 5], [[0, 1, 2]])
-    for name in ("still", "moving"):
-        builder.instance(sliver, name=name)
-    nf.stream.export(builder.build(dynamic=["moving"]), tmp_path / "b", **SETTINGS | {"center": (0, 0, 0), "step": 1.0})
-    tileset, manifest = documents(tmp_path / "b")
-    assert [ring["geometry"] for ring in manifest["regions"][0]["rings"]] == [None] * 4
-    assert "children" not in tileset["root"]

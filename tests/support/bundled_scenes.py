@@ -53,11 +53,7 @@ def balls() -> nf.Scene:
 
 def bundled_scenes() -> dict[str, nf.Scene]:
     """The scenes by their names."""
-    return {
-        "city": nf.datasets.city(blocks=2, detail=1),
-        "room": nf.datasets.room(),
-        "balls": balls(),
-    }
+    return {"city": nf.datasets.city(blocks=2, detail=1), "room": nf.datasets.room(), "balls": balls()}
 
 
 def export_all(scenes: Mapping[str, nf.Scene], folder: Path) -> dict[str, Path]:

@@ -47,10 +47,6 @@ class Expected:
     is_doubtful: bool = False
     """Whether rounding decides a level."""
 
-    @property
-    def all_cells(self) -> set[Cell]:
-        return self.cells | {(0, place) for place in self.leaves}
-
 
 def pixel(camera: nf.Camera) -> float:
     """Side of a square of a pixel's area: metres at a distance of 1 m, or anywhere for parallel rays."""

@@ -12,6 +12,7 @@ import pytest
 from numpy.typing import NDArray
 
 import nearfar as nf
+from nearfar.orthoview._cut import GEOMETRY, Part
 from nearfar.orthoview._layout import ViewKey
 from nearfar.orthoview._near import Near
 from nearfar.orthoview._views import Views
@@ -30,6 +31,13 @@ def camera_at(
     middle = tree.bounds.mean(axis=0)
     toward = np.array([np.cos(angle), 0.6, np.sin(angle)])
     return nf.Camera.look_at(middle + distance * toward / np.linalg.norm(toward), middle, fov=FOV, size=size)
+
+
+def parts_of(tree: nf.orthoview.OrthoTree, camera: nf.Camera, **settings: Any) -> list[Part]:
+    """Geometry and views of the cut all around, in its order."""
+    cut = tree.cut(camera, around=True, **settings)
+    leaves = tree._viewer.cutter.with_guests(cut.leaf_places())
+    return [*((0, place, GEOMETRY) for place in leaves), *cut.keys()]
 
 
 def images_of(frame: nf.Frame) -> dict[str, NDArray[Any]]:

@@ -65,12 +65,7 @@ def page_camera(pose: Pose, size: tuple[int, int] = SIZE) -> nf.Camera:
 
 
 def rendered(
-    tree: nf.orthoview.OrthoTree,
-    pose: Pose,
-    samples: int = 1,
-    *,
-    geometry: bool = False,
-    size: tuple[int, int] = SIZE,
+    tree: nf.orthoview.OrthoTree, pose: Pose, samples: int = 1, *, geometry: bool = False, size: tuple[int, int] = SIZE
 ) -> nf.Frame:
     """Python's picture."""
     return tree.render(page_camera(pose, size), geometry=geometry, samples=samples, channels=("color", "coverage"))

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Iterator, Mapping
+import zlib
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 import numpy as np
@@ -11,7 +12,7 @@ import numpy as np
 from tests.support.digest import digest
 from tests.support.hostile import Hostile, constant, hostile_values, variants
 from tests.support.name_patterns import match_length
-from tests.support.parameters import added_kinds, kinds_of, range_of
+from tests.support.parameters import Range, added_kinds, kinds_of, range_of
 from tests.support.valid_calls import calls
 from tests.support.valid_calls.objects import Valid
 from tests.support.verdict import attempt, caught, outcome, result, strict_warnings, verdict
@@ -22,6 +23,10 @@ HARMLESS = frozenset(("none", "big", "flag", "scene", "camera", "frame", "model"
 
 ITEM_BY_ITEM = "render_path.cameras render_path.at *.visual_continuity.*"
 """Parameters that may be iterators, whose items are checked on arrival; others are checked at the call."""
+
+
+PART = 4
+"""A keyword that a call passes on takes each `PART`th value only: the callable that has it takes all of them."""
 
 
 class Call:
@@ -82,7 +87,7 @@ class Call:
         before = digest(self.arguments)
         for parameter in self.parameters:
             begins = is_right or match_length(self._parameters[parameter][0], ITEM_BY_ITEM) > 0
-            for value in self._values(parameter, is_right=is_right):
+            for value in self._values(parameter)[is_right]:
                 error = self.caught({parameter: value.make()}, begins=begins)
                 flaw = "nothing" if error is None and not is_right else verdict(error, parameter, self.names)
                 if flaw is not None:
@@ -131,30 +136,52 @@ class Call:
                 found[name] = value or (16, 16)
         return found
 
-    def _values(self, parameter: str, *, is_right: bool) -> Iterator[Hostile]:
-        """Yield values that a parameter may accept, or those that it must refuse."""
+    def _values(self, parameter: str) -> Sorted:
         name, entry = self._parameters[parameter]
-        kinds = kinds_of(entry)
         also = added_kinds(name) | added_kinds(f"{self.name}.{parameter}")
+        kinds = kinds_of(entry)
         numeric = kinds & {"number", "whole"} - also
         limits = range_of(name, self._everything()) if numeric and "any" not in also else None
-        for value in (*hostile_values(self._valid), *variants(self.arguments.get(parameter))):
-            fits = value.kinds & (kinds | also)
-            is_fit = "any" in also or bool(fits)
-            if limits is not None and value.kinds & numeric:
-                is_fit = float(value.make()) in limits
-            if is_fit == is_right and not fits & HARMLESS:
-                yield value
-        if not is_right:
-            near = limits.outside(is_whole="whole" in numeric) if limits is not None else []
-            yield from (
-                Hostile(f"{value!r:.40}", constant(value))
-                for value in (*near, *wrong_values(name, f"{self.name}.{parameter}"))
-            )
+        own = _sort(variants(self.arguments.get(parameter)), kinds, also, limits)
+        both = zip(_sorted_values(self._valid, kinds, also, limits), own, strict=True)
+        wrong, right = (first + second for first, second in both)
+        near = limits.outside(is_whole="whole" in numeric) if limits is not None else []
+        wrong += (
+            Hostile(f"{value!r:.40}", constant(value))
+            for value in (*near, *wrong_values(name, f"{self.name}.{parameter}"))
+        )
+        if parameter in calls.callable_of(self.name).parameters:
+            return wrong, right
+        first = zlib.crc32(f"{self.name}.{parameter}".encode()) % PART
+        return wrong[first::PART], right[first::PART]
 
     def _everything(self) -> dict[str, Any]:
         """Arguments and defaults."""
         return {name: entry.default for name, (_, entry) in self._parameters.items()} | self.arguments
+
+
+Sorted = tuple[list[Hostile], list[Hostile]]
+"""Values that a parameter must refuse, and those that it may accept."""
+
+
+@functools.cache
+def _sorted_values(valid: Valid, *expected: Any) -> Sorted:
+    return _sort(hostile_values(valid), *expected)
+
+
+def _sort(values: Iterable[Hostile], kinds: frozenset[str], also: frozenset[str], limits: Range | None) -> Sorted:
+    """Sort values for a parameter that takes some kinds by its annotation, others by its name, and a range."""
+    numeric = kinds & {"number", "whole"} - also
+    wrong: list[Hostile] = []
+    right: list[Hostile] = []
+    for value in values:
+        fits = value.kinds & (kinds | also)
+        is_fit = "any" in also or bool(fits)
+        if limits is not None and value.kinds & numeric:
+            is_fit = float(value.make()) in limits
+        if not fits & HARMLESS:
+            (right if is_fit else wrong).append(value)
+    return wrong, right
 
 
 def as_float(count: Any) -> Any:

@@ -54,11 +54,7 @@ def server(folder: Path) -> Iterator[str]:
     line += ["--ServerApp.ip=127.0.0.1", "--IdentityProvider.token=", f"--ServerApp.root_dir={folder}"]
     line += ["--LabApp.expose_app_in_browser=True", "--LabApp.news_url=None"]
     with subprocess.Popen(
-        line,
-        stderr=subprocess.PIPE,
-        stdout=subprocess.DEVNULL,
-        text=True,
-        env=os.environ | homes,
+        line, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True, env=os.environ | homes
     ) as program:
         try:
             yield _address(program)

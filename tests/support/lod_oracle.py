@@ -76,12 +76,7 @@ def line(threshold: str, k: float, d: float, reference: float, sigma: Any) -> An
 
 
 def size(
-    center: Array,
-    radius: float,
-    camera: nf.Camera,
-    lens: nf.RadialLens | None,
-    tan_omega: float,
-    kind: str = "axis",
+    center: Array, radius: float, camera: nf.Camera, lens: nf.RadialLens | None, tan_omega: float, kind: str = "axis"
 ) -> tuple[Any, Any, Any]:
     """Exact σ, σ′ and μ by 40 digits; the lens's inverse by bisection. σ′ is of the kind "axis", "area" or "panel"."""
     position = [mpf(float(c)) - mpf(float(e)) for c, e in zip(center, camera.position, strict=True)]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from typing import Any
 
 import numpy as np
@@ -20,6 +21,7 @@ FORMAT = (SIZE, 12, 24)
 STEPS = oracle.steps_of(12)
 
 
+@functools.cache
 def boxes(count: int = 40, side: float = SIDE, height: float = 1.0) -> tuple[nf.Scene, NDArray[np.float64]]:
     """Rotated boxes in and about a cell, with the linear RGB of each triangle; `height` scales them along y."""
     rng = np.random.default_rng(3)

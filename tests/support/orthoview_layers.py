@@ -20,15 +20,12 @@ def crossings(triangles: Floats, starts: Floats, along: Floats) -> Floats:
     """
     corner, one, other = triangles[:, 0], triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0]
     across = np.cross(along, other)
-    determinant = (one * across).sum(axis=1)
-    found = np.full((len(starts), len(triangles)), np.inf)
-    for ray, start in enumerate(starts):
-        offset = start - corner
-        normal = np.cross(offset, one)
-        with np.errstate(divide="ignore", invalid="ignore"):
-            u, v = (offset * across).sum(axis=1) / determinant, normal @ along / determinant
-            distance = (other * normal).sum(axis=1) / determinant
-        found[ray] = np.where((u >= 0) & (v >= 0) & (u + v <= 1), distance, np.inf)
+    # The triple products of the article, each as a product of the offset from the corner and a vector of the triangle.
+    vectors = np.stack([across, np.cross(one, along), np.cross(one, other)])
+    with np.errstate(divide="ignore", invalid="ignore"):
+        products = vectors @ starts.T - (vectors * corner).sum(axis=2)[..., None]
+        u, v, distance = products / (one * across).sum(axis=1)[:, None]
+    found: Floats = np.where((u >= 0) & (v >= 0) & (u + v <= 1), distance, np.inf).T
     return found
 
 
@@ -75,23 +72,22 @@ class Leaf:
         is_second = (self.normals @ axes.toward > 0) & (found > first[:, None] + oracle.REACH_PIXELS * pixel)
         second = np.where(is_second, found, np.inf)
         face, depth = second.argmin(axis=1), second.min(axis=1)
-        for at in np.flatnonzero(np.isfinite(depth)):
-            point = starts[at] - depth[at] * axes.toward
-            if not any(self.sees(point, face[at], line) for line in lines_of(direction, directions)):
-                depth[at] = np.inf
+        at = np.flatnonzero(np.isfinite(depth))
+        points = starts[at] - depth[at, None] * axes.toward
+        is_seen = [self.sees(points, face[at], line) for line in lines_of(direction, directions)]
+        depth[at[~np.any(is_seen, axis=0)]] = np.inf
         shape = (double, double)
         there = np.isfinite(depth)[:, None]
         color, normal = np.where(there, self.colors[face], 0), np.where(there, self.normals[face], 0)
         picture = Picture((depth / step).reshape(shape), color.reshape(*shape, 3), normal.reshape(*shape, 3))
         return oracle.reduced(picture, oracle.REACH_PIXELS * pixel / step)
 
-    def sees(self, point: Floats, face: int, line: Floats) -> bool:
-        """Whether a point of a face is visible from where a line leaves the cell."""
-        if self.normals[face] @ line <= 0:
-            return False
-        end = oracle.cell_interval(point[None], line, self.corner, self.side)[0, 1]
-        distances = crossings(self.triangles, point[None], line)[0]
-        return not ((distances > 1e-9) & (distances <= end)).any()
+    def sees(self, points: Floats, faces: NDArray[np.int64], line: Floats) -> NDArray[np.bool_]:
+        """Whether points of faces are visible from where lines from them leave the cell."""
+        ends = oracle.cell_interval(points, line, self.corner, self.side)[:, 1]
+        distances = crossings(self.triangles, points, line)
+        is_hidden = ((distances > 1e-9) & (distances <= ends[:, None])).any(axis=1)
+        return np.asarray((self.normals[faces] @ line > 0) & ~is_hidden)
 
 
 def composed(

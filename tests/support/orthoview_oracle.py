@@ -96,13 +96,7 @@ class Picture:
 
 
 def draw_view(
-    scene: nf.Scene,
-    colors: NDArray[np.float64],
-    corner: Any,
-    side: float,
-    direction: Triple,
-    size: int,
-    steps: int,
+    scene: nf.Scene, colors: NDArray[np.float64], corner: Any, side: float, direction: Triple, size: int, steps: int
 ) -> Picture:
     """The surfaces of a cell, ray by ray; `colors` holds linear RGB of each triangle."""
     axes = Axes.from_direction(direction)

@@ -127,6 +127,32 @@ class Interrupted(Counted):
         return super().query(aabb, detail)
 
 
+class Late(Counted):
+    """A source that is interrupted by its first query after a store was begun."""
+
+    def __init__(self, scene: nf.Scene, path: Path) -> None:
+        super().__init__(scene)
+        self._path = path
+
+    def query(self, aabb: ArrayLike, detail: Any = 0.0) -> nf.Scene:
+        if (self._path / "zarr.json").exists():
+            raise KeyboardInterrupt
+        return super().query(aabb, detail)
+
+
+class Partial(Counted):
+    """A source that is empty in some leaves, or everywhere else."""
+
+    def __init__(self, scene: nf.Scene, boxes: Iterable[NDArray[np.float64]], *, is_empty_there: bool) -> None:
+        super().__init__(scene)
+        self._boxes, self._is_empty_there = {box.tobytes() for box in boxes}, is_empty_there
+
+    def query(self, aabb: ArrayLike, detail: Any = 0.0) -> nf.Scene:
+        if (np.asarray(aabb).tobytes() in self._boxes) == self._is_empty_there:
+            return self._scene.query([[1e6] * 3, [1e6 + 1] * 3])
+        return super().query(aabb, detail)
+
+
 class Telling(Counted):
     """A source that also reports where it is empty."""
 

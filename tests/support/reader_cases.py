@@ -149,11 +149,7 @@ def in_browser(bundles: Mapping[str, Path], views: Mapping[str, dict[str, Any]],
 
 
 def answer_of(
-    module: str,
-    job: Mapping[str, Any],
-    folder: Path,
-    folders: Mapping[str, Path] | None = None,
-    pages: Path = FOLDER,
+    module: str, job: Mapping[str, Any], folder: Path, folders: Mapping[str, Path] | None = None, pages: Path = FOLDER
 ) -> dict[str, Any]:
     """The answer posted to /result by a module that page.html loads and that reads its job from /job.json.
 

@@ -3,10 +3,7 @@
 from __future__ import annotations
 
 import copy
-import os
 import random
-import subprocess
-import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -15,6 +12,7 @@ import nearfar as nf
 from tests.attack import mutate
 from tests.support import PEAK
 from tests.support.gltf_cases import load
+from tests.support.thread_counts import printed
 
 
 def load_damaged(folder: Path, data: bytes, count: int, wrap: Callable[[bytes], bytes]) -> list[nf.Scene]:
@@ -41,13 +39,16 @@ def replace_value(document: Any, value: Any, *path: Any) -> Any:
     return document
 
 
-def refused_twice(path: Path) -> tuple[str, str, int]:
-    """Return the errors under the default limit of bytes and under one of 2⁵⁰, and the bytes by which memory grew."""
-    code = f"{PEAK}\nimport sys, nearfar as nf\nstart = peak()\nfor most in (None, 1 << 50):\n"
-    code += "    try: nf.Scene.load(sys.argv[1], max_bytes=most)\n"
-    code += "    except nf.SceneError as error: print(error)\nprint(peak() - start)"
-    environment = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)}
-    command = [sys.executable, "-c", code, str(path)]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=600, check=True, env=environment)
-    first, second, more = done.stdout.splitlines()
-    return first, second, int(more)
+def refusals(path: Path, *limits: int | None) -> tuple[list[str], int]:
+    """Return the errors under limits of bytes, None for the default, and the bytes by which the memory grew."""
+    code = f"""{PEAK}
+import nearfar as nf
+open("/proc/self/clear_refs", "w").write("5")
+start = peak()
+for most in {limits}:
+    try: nf.Scene.load({str(path)!r}, max_bytes=most)
+    except nf.SceneError as error: print(error)
+print(peak() - start)
+"""
+    *messages, more = printed(code).splitlines()
+    return messages, int(more)

@@ -13,11 +13,7 @@ from tests.support.render_oracle import Surface
 WIDE = nf.Fov(-1.2, 0.8, -0.5, 0.9)
 
 
-PROJECTIONS: list[Projection] = [
-    WIDE,
-    nf.Orthographic(-4.0, 3.0, -2.0, 2.5),
-    *(nf.CubeFace(face) for face in range(6)),
-]
+PROJECTIONS: list[Projection] = [WIDE, nf.Orthographic(-4.0, 3.0, -2.0, 2.5), *(nf.CubeFace(face) for face in range(6))]
 
 
 QUAD = np.array([[0, 1, 2], [0, 2, 3]])

@@ -8,7 +8,7 @@ from collections.abc import Iterable
 
 INSTALLERS = {
     "sudo scripts/system-packages.sh": {
-        *("adapter", "assimp", "blender", "browser", "exporters", "gl", "glslang", "node", "pyrender", "vulkan", "web"),
+        *("adapter", "assimp", "blender", "browser", "exporters", "gl", "glslang", "node", "pyrender", "vulkan", "web")
     },
     "NEARFAR_DATA=FOLDER": {"data", "tokyo"},
     "a checkout with git": {"git"},

@@ -8,6 +8,7 @@ of these, and most samples have only one.
 from __future__ import annotations
 
 import itertools
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -180,20 +181,24 @@ def samples_of(splat: Splat, lens: Lens, size: tuple[int, int]) -> Iterator[tupl
     first = np.maximum(np.floor(place - half), 0).astype(int)
     last = np.minimum(np.ceil(place + half), np.array(size) - 1).astype(int)
     off = float(np.linalg.norm(inverse, 2)) * OFF + 1e-5
+    # Plain numbers, because arrays of two take many times as long.
+    (a, b), (c, d) = inverse.tolist()
+    (middle_x, middle_y), (half_x, half_y), (slope_u, slope_v) = place.tolist(), half.tolist(), slopes.tolist()
+    radius, change = math.sqrt(SQUARED_RADIUS), abs(slope_u) + abs(slope_v)
     for row, column in itertools.product(range(first[1], last[1] + 1), range(first[0], last[0] + 1)):
-        sample = np.array([column + 0.5, row + 0.5])
-        from_middle = float(np.abs(sample - place).max()) - 0.5
+        x, y = column + 0.5 - middle_x, row + 0.5 - middle_y
+        from_middle = max(abs(x), abs(y)) - 0.5
         seen = []
         if is_line:
-            reach = np.abs(sample - place) <= half - 1 + OFF
-            seen += [(near, 0.71 * float(np.abs(slopes).sum()), False)] if reach.all() else []
+            if abs(x) <= half_x - 1 + OFF and abs(y) <= half_y - 1 + OFF:
+                seen.append((near, 0.71 * change, False))
             inside, outside = False, True
         else:
-            q = inverse @ (sample - place)
-            length = float(np.linalg.norm(q))
-            inside, outside = length + off < np.sqrt(SQUARED_RADIUS), length - off > np.sqrt(SQUARED_RADIUS)
+            u, v = a * x + b * y, c * x + d * y
+            length = math.hypot(u, v)
+            inside, outside = length + off < radius, length - off > radius
             if not outside:
-                seen.append((near + float(slopes @ q), float(np.abs(slopes).sum()) * off, inside))
+                seen.append((near + slope_u * u + slope_v * v, change * off, inside))
         if not inside and from_middle <= OFF:
             seen.append((near, 0.0, outside and from_middle < -OFF and not is_line))
         # Then one of the two answers is certain, but not which.

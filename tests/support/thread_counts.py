@@ -65,6 +65,11 @@ def process(threads: str) -> Process:
     return Process(threads)
 
 
+def printed(code: str) -> str:
+    """Return the output of a program that runs in another process."""
+    return process("1").printed(code)
+
+
 def printed_by_threads(code: str, counts: str = "123") -> set[str]:
     """Return the output of a program in processes with these numbers of threads; one text if all agree."""
     return {process(threads).printed(code) for threads in counts}

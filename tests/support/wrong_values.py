@@ -138,11 +138,7 @@ WRONG: dict[str, list[Any]] = {
     "stream.client.*.pose.left": [(0.0, 0.0, 0.0)],
     "stream.client.*.pose.pointer": [("foot", 1.0), ("head", -1.0)],
     "stream.client.*.pose.position": [(0.0, 2e6, 0.0)],
-    "stream.export.center": [
-        [(0, 0, 0), (0, 0.0004, 0)],
-        np.arange(3003.0).reshape(-1, 3),
-        [(1e31, 0, 0)],
-    ],
+    "stream.export.center": [[(0, 0, 0), (0, 0.0004, 0)], np.arange(3003.0).reshape(-1, 3), [(1e31, 0, 0)]],
     "stream.export?@levels.center": [[(0, 0, 0), (1, 0, 0), (0, 0, 0)]],
     "stream.simulate.head_path": [[[1.0, 0, 0, 0], [1.0, 0, 0, 0]], np.zeros((0, 4))],
     "tessellate.camera tessellate?@*.camera": [nf.Camera((0, 0, 0), fov=FLAT, size=(9, 9))],

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable
 from inspect import Parameter
 from typing import Any
@@ -68,6 +69,7 @@ def callable_of(name: str) -> PublicCallable:
     return CALLABLES[name.partition(" @")[0]]
 
 
+@functools.cache
 def parameters_of(name: str) -> dict[str, tuple[str, Parameter]]:
     """Return the parameters of a call, each with its full name, such as "Scene.load.path".
 

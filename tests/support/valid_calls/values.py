@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable, Mapping
 from typing import Any
 
@@ -63,8 +64,8 @@ INSTANCES: Mapping[str, Make] = {
     "Frame": lambda v: v.frame,
     "Hmd": lambda v: v.hmd,
     "Impostors": lambda v: v.impostors,
-    "LoadCurve": lambda v: nf.load_curve(v.scene, center=ZONES["center"]),
-    "Partition": lambda v: nf.partition(v.scene, **ZONES),
+    "LoadCurve": functools.cache(lambda v: nf.load_curve(v.scene, center=ZONES["center"])),
+    "Partition": functools.cache(lambda v: nf.partition(v.scene, **ZONES)),
     "RadialLens": lambda v: v.lens,
     "Recentering": lambda v: v.reduced.recentered(ZONES["center"]),
     "ReducedScene": lambda v: v.reduced,
@@ -77,9 +78,9 @@ INSTANCES: Mapping[str, Make] = {
     "SceneBuilder.objects": lambda v: nf.SceneBuilder(),
     "StereoFrame": lambda v: v.stereo,
     "Walk": lambda v: v.regions.walk(),
-    "datasets.Asteroids": lambda v: nf.datasets.asteroids(3, 48),
+    "datasets.Asteroids": functools.cache(lambda v: nf.datasets.asteroids(3, 48)),
     "datasets.SphereTask": lambda v: v.sphere_task,
-    "datasets.World": lambda v: nf.datasets.world(1),
+    "datasets.World": functools.cache(lambda v: nf.datasets.world(1)),
     "gpu.DeviceFrame": lambda v: v.device_frame,
     "lod.Curve4PL": lambda v: v.model.curves,
     "lod.Levels": lambda v: v.levels,
@@ -88,10 +89,10 @@ INSTANCES: Mapping[str, Make] = {
     "lod.LodThreshold": lambda v: nf.lod.LodThreshold(),
     "lod.Selection": lambda v: v.selection,
     "lod.Selector": lambda v: nf.lod.Selector(),
-    "lod.Switches": lambda v: nf.lod.switches(v.model, view=v.camera),
+    "lod.Switches": functools.cache(lambda v: nf.lod.switches(v.model, view=v.camera)),
     "orthoview.Flight": lambda v: v.moving_orthotree.fly(threads=1),
     "orthoview.FlightLog": lambda v: v.flown,
-    "orthoview.OrthoCut": lambda v: v.orthotree.cut(v.camera),
+    "orthoview.OrthoCut": functools.cache(lambda v: v.orthotree.cut(v.camera)),
     "orthoview.OrthoTree": lambda v: v.moving_orthotree,
     "orthoview.Steady": lambda v: nf.orthoview.Steady(),
     "stereo.AdaptivePlane": lambda v: nf.stereo.AdaptivePlane(v.hmd),
@@ -104,7 +105,7 @@ INSTANCES: Mapping[str, Make] = {
     "stream.Timeline": lambda v: v.timeline,
     "stream.client.Room": lambda v: room(),
 }
-"""An instance of each class that has methods, or of the class for one call."""
+"""An instance of each class that has methods, or of the class for one call; a new one each time if calls change it."""
 
 
 def required_argument(parameter: str, valid: Valid) -> Any:
