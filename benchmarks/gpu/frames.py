@@ -118,9 +118,14 @@ def near_and_far(scene: nf.Scene) -> str:
         reduced = nf.reduce(scene, center=center, r1=NEAR, r2=FAR, channels=CHANNELS, backend="gpu")
         light = best(partial(reduced.render, camera, backend="gpu"), repeat=3)
         triangles = max(reduced.render(camera, backend="gpu").stats["frame_triangles"], 1)
-        times = [first.ms, full.ms, light.ms, full.wall / light.wall]
+        impostors = nf.reduce(scene, far="impostors", center=center, r2=FAR)
+        quads = best(partial(nf.render, impostors, camera, backend="gpu"), repeat=3)
+        times = [first.ms, full.ms, light.ms, full.wall / light.wall, quads.ms, quads.wall / light.wall]
         rows.append([name, *times, drawn, triangles, drawn / triangles])
-    header = "adapter | first ms {:.0f} | full ms {:.0f} | reduced ms {:.0f} | ratio {:.1f} | triangles in view {:,}"
+    header = (
+        "adapter | first ms {:.0f} | full ms {:.0f} | reduced ms {:.0f} | ratio {:.1f} | with impostors ms {:.0f} |"
+        " to reduced {:.2f} | triangles in view {:,}"
+    )
     title = f"Reduced frames (r2 = {FAR:g} m) of {scene.triangle_count:,} triangles"
     return table(title, header + " | reduced {:,} | ratio {:.0f}", rows)
 

@@ -43,14 +43,14 @@ def cases(quick: bool) -> Iterator[tuple[str, nf.Scene, Point]]:
     yield "procedural city", scenes.city(quick), nf.datasets.street_view()[0]
 
 
-def views(center: Point, seed: int) -> Iterator[nf.Camera]:
-    """Yield views of users at random places within `REACH` with random directions, slightly downwards."""
+def views(center: Point, seed: int, reach: float = REACH) -> Iterator[nf.Camera]:
+    """Yield views of users at random places within `reach` with random directions, slightly downwards."""
     draw = np.random.default_rng(seed)
     fov = nf.Fov.symmetric(60, 16 / 9)
     width = round(DENSITY * float(np.degrees(fov.right - fov.left)))
     for _ in range(MAX_TRIES):
         position_angle, azimuth = draw.uniform(0.0, 2.0 * np.pi, 2)
-        distance = REACH * np.sqrt(draw.uniform())
+        distance = reach * np.sqrt(draw.uniform())
         user = np.add(center, (distance * np.cos(position_angle), 0.0, distance * np.sin(position_angle)))
         toward = np.add(user, (np.cos(azimuth), -0.05, np.sin(azimuth)))
         yield nf.Camera.look_at(user, toward, fov=fov, size=(width, round(width * 9 / 16)))

@@ -90,7 +90,8 @@ def encode(
         _FarWriter(writer, document, is_packed=is_packed).add(packed, encode_image(quads.atlas))
     elif encoded is None:
         return EncodedFile(b"", 0.0, 0.0, 0.0, 0, ("the whole geometry: it is empty or smaller than its rounding",))
-    extras = {"center": list(region.center), "reach": region.reach, "r2": region.r2, "error_px": region.error_px}
+    center = list(region.center)
+    extras = {"center": center, "origin": center, "reach": region.reach, "r2": region.r2, "error_px": region.error_px}
     if packed is not None:
         extras["rounding_px"] = packed.error_px
     roots = [0] if encoded is not None else []

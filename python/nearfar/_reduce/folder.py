@@ -78,7 +78,9 @@ def save(
         **({} if contents.impostors is None else {"impostors": contents.impostors}),
     )
     with files.atomic_folder(target, marker=DOCUMENT) as folder:
-        files.write(folder / NEAR, glb.encode(near._core, near.object_names, near._undrawn))
+        # Other files of the folder are relative to the centre.
+        extras = {"center": list(contents.center), "origin": [0.0, 0.0, 0.0], "r1": contents.r1, "r2": contents.r2}
+        files.write(folder / NEAR, glb.encode(near._core, near.object_names, near._undrawn, extras))
         if env is not None:
             env.save(folder / FAR, half=half)
         for name, data in (extra or {}).items():

@@ -63,9 +63,10 @@ class CellChoice:
     """Side in metres that suits the number of triangles but needs too many leaves; None if that is the chosen side."""
 
     def __str__(self) -> str:
-        chosen = f"leaves of {self.cell:g} m with about {self.triangles:,.0f} triangles, about {self.leaves:,} of them"
+        chosen = f"about {self.leaves:,} leaves of {self.cell:g} m with about {self.triangles:,.0f} triangles each"
         if self.finer is None:
-            return f"{chosen}: those near a viewer have at most {NEAR_TRIANGLES:,} triangles"
+            near = "the leaves near a viewer, which are drawn as geometry"
+            return f"{chosen}; {near}, have at most {NEAR_TRIANGLES:,} triangles"
         return (
             f"{chosen}: leaves of {self.finer:g} m would suit the number of triangles, but more than {MAX_LEAVES:,} "
             "would be needed; build a part of the world with small leaves, or state their side"

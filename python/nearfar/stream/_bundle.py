@@ -198,6 +198,7 @@ class Bundle(BundleRegions):
         max_radius = self.radii[max(number, 1) - 1]
         full = max_radius if number else 0.0
         morph_radius = full if radius is None else check.in_range("radius", radius, 0.0, max_radius)
+        share = check.in_range("strength", strength, 0.0, 1.0)
         rings = [
             (f"ring {n}", ring_scene(name, entry["parts"], self.read, self._location_of(name)))
             for n, entry in enumerate(self._rings[1 : number + 1], 1)
@@ -207,7 +208,7 @@ class Bundle(BundleRegions):
         zones = partition(scene, center=self.center, r1=NEAR_SHARE * max_radius, r2=max_radius)
         counts = {**zones.summary(), "triangles": self._manifest["triangles"], "rays": 0}
         settings: dict[str, Any] = {"morph": "cylinder", "boundary": "r2", "counts": counts, "is_whole": False}
-        return ReducedScene(scene, zones, self.map(number), **settings).with_growth(morph_radius, strength)
+        return ReducedScene(scene, zones, self.map(number), **settings).with_growth(morph_radius, share)
 
     def show(
         self, *, size: tuple[int, int] = (640, 400), camera: Camera | None = None, strategy: Strategy = "clovr"
