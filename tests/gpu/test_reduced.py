@@ -142,6 +142,14 @@ def test_without_far_geometry_the_sky_is_visible() -> None:
     check_color(cpu, gpu)
 
 
+def test_a_loaded_scene_is_drawn_as_before_saving(small: nf.ReducedScene, tmp_path: Path) -> None:
+    small.save(tmp_path / "light")
+    loaded = nf.ReducedScene.load(tmp_path / "light")
+    before, after = (one.render(view(USERS["near"], 64), backend="gpu", channels=ALL) for one in (small, loaded))
+    check_ids(before.require("object_id"), after.require("object_id"))
+    check_color(before, after)
+
+
 def test_only_near_geometry_is_drawn_and_little_is_uploaded(
     small: nf.ReducedScene, poses: dict[str, NDArray[np.float64]]
 ) -> None:

@@ -14,8 +14,10 @@ pytestmark = pytest.mark.usefixtures("backend")
 
 
 def exact_cases(file: str, section: str = "cases") -> list[Any]:
-    """Return cases whose inputs are exact in float32."""
-    return [parameters for parameters in cases(file, section) if "wgsl" in parameters.values[0]["tolerance"]]
+    """Return cases whose inputs are exact in float32; AssertionError if there are none."""
+    found = [parameters for parameters in cases(file, section) if "wgsl" in parameters.values[0]["tolerance"]]
+    assert found, f"no case of {file}.json has a tolerance for shaders"
+    return found
 
 
 @pytest.mark.parametrize("kind", ["blend", "cylinder"])
@@ -24,7 +26,7 @@ def test_morphs_show_points_where_the_formula_says(kind: str) -> None:
         (case,) = parameters.values
         place = {name: case[name] for name in ("user", "center", "r1", "r2", "strength")}
         found = gpu.morph(np.array(case["points"], np.float32), kind=kind, **place)
-        check(found, case["shown"], case["tolerance"]["wgsl"])
+        check(found, case["shown"], case["tolerance"]["wgsl"], name=str(parameters.id))
 
 
 @pytest.mark.parametrize("case", exact_cases("cubemap", "directions"))

@@ -20,8 +20,8 @@ def cases(file: str, section: str = "cases") -> list[Any]:
     return [pytest.param(case, id=case.get("region", str(n))) for n, case in enumerate(document[section])]
 
 
-def check(found: ArrayLike, expected: ArrayLike, bound: float, *, share: float = 0.0) -> None:
-    """Fail if numbers differ from the expected ones by more than a bound plus a share of these."""
+def check(found: ArrayLike, expected: ArrayLike, bound: float, *, share: float = 0.0, name: str = "") -> None:
+    """Fail, with the name of a case, if numbers differ from the expected ones by more than a bound plus a share."""
     values, exact = np.asarray(found, np.float64), np.asarray(expected, np.float64)
-    assert values.shape == exact.shape
-    np.testing.assert_allclose(values, exact, rtol=share, atol=bound)
+    assert values.shape == exact.shape, name
+    np.testing.assert_allclose(values, exact, rtol=share, atol=bound, err_msg=name)
