@@ -14,7 +14,19 @@ import nearfar as nf
 from nearfar import _core
 from nearfar.orthoview._grid import Grid, directions_of
 from tests.support import need
-from tests.support.orthoview_stores import CELL, FORMAT, SIZE, Counted, Interrupted, Telling, contents, of_cells, places
+from tests.support.orthoview_stores import (
+    CELL,
+    FORMAT,
+    SIZE,
+    Counted,
+    Interrupted,
+    Partial,
+    Telling,
+    contents,
+    masks_of,
+    of_cells,
+    places,
+)
 
 need("zarr")
 
@@ -82,6 +94,18 @@ def test_empty_parts_are_skipped(few: nf.Scene, few_tree: nf.orthoview.OrthoTree
     assert sparse.cells(0) == (500, 500, 500)
     assert sparse.held["leaves"] == 2
     assert sparse.done["empty"] <= 8  # The scene's tree is asked, whose boxes are larger than triangles.
+
+
+def test_removed_objects_leave_no_view(few: nf.Scene, copied_few: Path) -> None:
+    """Removes the whole world."""
+    tree = nf.orthoview.open(copied_few)
+    held, masks = tree.held, masks_of(tree)
+    emptied = tree.update(tree.bounds, Partial(few, [], is_empty_there=False))
+    assert emptied.done == {"empty": np.prod(tree.cells(0))}
+    assert emptied.held == dict.fromkeys(held, 0)
+    assert masks_of(emptied) == {}
+    assert all(emptied.leaf_glb(place) is None for place in places(tree.cells(0)))
+    assert masks_of(tree) == masks != {}, "a tree opened before keeps its generation"
 
 
 def test_points_of_views_lie_on_a_slope(tmp_path: Path) -> None:

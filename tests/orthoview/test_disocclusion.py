@@ -262,6 +262,22 @@ def test_leaves_of_sources_without_touches_are_sampled_evenly() -> None:
     assert list(leaves(world, few)) == list(leaves(world, few)) != sorted(leaves(world, few))
 
 
+def test_choices_are_deterministic(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(measure, "RAYS", 16)
+    monkeypatch.setattr(measure, "MAX_LEAVES", 3)
+    scene, _ = boxes(30, 80.0)
+    grid = Grid.from_bounds(scene.bounds, 60.0)
+    choice = choose_directions(scene, grid)
+    assert choice == choose_directions(scene.query(scene.bounds), grid)
+    assert choice.count == smallest_set(choice.shares)
+    # The mean over its leaves, weighted by pixels, lies between their minimum and maximum.
+    each = [
+        disocclusion(scene.query(grid.box(0, place)), grid, place) for place in measure._densest(scene, grid, print)
+    ]
+    assert min(shares[5] for shares in each) < choice.shares[5] < max(shares[5] for shares in each)
+    assert choice.cells == len(each) == 3
+
+
 def test_leaves_whose_query_fails_are_skipped(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(measure, "RAYS", 16)
     scene, _ = boxes(30, 80.0)

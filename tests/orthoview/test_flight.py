@@ -10,7 +10,7 @@ import pytest
 
 import nearfar as nf
 from nearfar._camera.shot import Shot
-from nearfar.orthoview._cut import GEOMETRY
+from nearfar.orthoview._cut import GEOMETRY, RECORD
 from tests.support.flight_cases import CHANNELS, LONG, Gate, camera_at, images_of, is_same, readers, there, whole
 from tests.support.waiting import wait_until
 
@@ -174,6 +174,26 @@ def test_looks_read_the_parts_of_pictures(few_tree: Tree, flight: nf.orthoview.F
         assert len(beside) <= len(coarsest)
         assert set(cut.keys(in_picture=True)) <= set(read)
         assert set(gate.leaves) >= set(cut.leaf_places(in_picture=True))
+
+
+def test_memory_keeps_needed_views_and_little_else(few_tree: Tree) -> None:
+    """The first picture needs more than the cache has, the others less."""
+    cache_bytes = 90_000
+    with nf.orthoview.open(few_tree.path, cache_bytes=cache_bytes).fly(adapt=False, error_px=2) as flight:
+        views, sizes = flight._viewer.views.cache, []
+        for time, angle in enumerate([0.0, 1.5, 3.0]):
+            camera = camera_at(few_tree, 60, angle)
+            whole(flight, lambda: flight.render(camera, time=time))  # noqa: B023
+            assert flight.wait(LONG)
+            flight.render(camera, time=time + 0.3)
+            plan = flight._pilot.plan(flight._has)
+            needed = {part for part in plan.order if part[2] not in (GEOMETRY, RECORD)}
+            assert needed <= set(views.values)
+            sizes.append(sum(layer.bytes for key in needed for layer in views.values[key]))
+            assert views.size == sum(layer.bytes for layers in views.values.values() for layer in layers)
+            assert views.size <= max(cache_bytes, sizes[-1])
+        assert min(sizes) < cache_bytes < max(sizes)
+        assert views.reads > len(views.values), "views are dropped"
 
 
 def test_only_needed_leaves_exceed_the_cache(tree: Tree, gate: Gate) -> None:

@@ -13,10 +13,11 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar._base.errors import FormatError
+from nearfar._scene.tileset import subtree as subtrees
 from nearfar.orthoview import _availability as availability
 from nearfar.orthoview._geometry import step_of
 from nearfar.orthoview._geometry_store import GeometryStore
-from nearfar.orthoview._grid import Grid
+from nearfar.orthoview._grid import Grid, Place
 from nearfar.orthoview._owners import owned_mask
 from tests.support import need, valid
 from tests.support.bundle_cases import content
@@ -146,6 +147,61 @@ def test_the_lowest_subtrees_have_many_levels() -> None:
     for levels in range(1, 26):
         own = availability.subtree_levels(levels)
         assert levels - (levels - 1) // own * own >= min(levels, 3)
+
+
+@pytest.mark.parametrize("levels", [1, 3, 4, 9])
+def test_subtrees_list_available_cells(levels: int, tmp_path: Path) -> None:
+    """Compares availability and boxes with those of sets of cells, through nearfar's reader."""
+    rng = np.random.default_rng(levels)
+    leaves = np.unique(rng.integers(0, 1 << (levels - 1), (20, 3)) // np.array([1, 1, 2]), axis=0)
+    own = {tuple(place): np.sort(rng.normal(size=(2, 3)), axis=0) for place in leaves.tolist()}
+    above: dict[tuple[int, ...], list[NDArray[np.float64]]] = {}
+    for place, box in own.items():
+        for level in range(levels):
+            above.setdefault((level, *(number >> (levels - 1 - level) for number in place)), []).append(box)
+    whole = {cell: np.array([np.min(b, axis=0)[0], np.max(b, axis=0)[1]]) for cell, b in above.items()}
+
+    def box_of(place: Place) -> NDArray[np.float64]:
+        return own[place]
+
+    found = availability.write(tmp_path, levels, leaves[rng.permutation(len(leaves))], box_of)
+    np.testing.assert_array_equal(found, whole[0, 0, 0, 0])
+    depths = availability.subtree_levels(levels)
+    properties = subtrees.box_properties({"schema": availability.SCHEMA})
+    roots = {cell for cell in whole if cell[0] % depths == 0}
+    assert (len(roots) > 1) == (levels > depths)
+    assert {path.name for path in tmp_path.iterdir()} == {
+        availability.NAME.format(level=level, x=x, y=y, z=z) for level, x, y, z in roots
+    }
+    for level, *corner in roots:
+        x, y, z = corner
+        data = (tmp_path / availability.NAME.format(level=level, x=x, y=y, z=z)).read_bytes()
+        read = subtrees.read(data, 3, depths, lambda uri: b"", properties)
+        below = sorted(
+            (depth, interleaved([number - (first << depth) for number, first in zip(cell, corner, strict=True)]), box)
+            for depth in range(min(depths + 1, levels - level))
+            for (own_level, *cell), box in ((cell, box.tolist()) for cell, box in whole.items())
+            if own_level == level + depth and [number >> depth for number in cell] == corner
+        )
+        tiles = [
+            (subtrees.tiles_above(depth, 3) + number, depth, box) for depth, number, box in below if depth < depths
+        ]
+        assert np.flatnonzero(read.tiles.unpack()).tolist() == [bit for bit, _, _ in tiles]
+        contents = [bit for bit, depth, _ in tiles if level + depth == levels - 1]
+        assert np.flatnonzero(read.contents[0].unpack()).tolist() == contents
+        children = [number for depth, number, _ in below if depth == depths]
+        assert np.flatnonzero(read.children.unpack()).tolist() == children
+        # z up: (x, −z, y).
+        low, high = (np.array([box[end] for _, _, box in tiles])[:, [0, 2, 1]] * (1, -1, 1) for end in (0, 1))
+        assert read.boxes is not None
+        np.testing.assert_allclose(read.boxes[:, 0], (low + high) / 2)
+        np.testing.assert_allclose(read.boxes[:, 1:], [np.diag(half) for half in np.abs(high - low) / 2])
+
+
+def interleaved(place: list[int]) -> int:
+    """Number of a cell in Morton order: the bits of x, y and z interleaved, x lowest."""
+    bits = range(max(place).bit_length())
+    return sum((number >> bit & 1) << (3 * bit + axis) for bit in bits for axis, number in enumerate(place))
 
 
 # damage ---------------------------------------------------------------------------------------------------------------

@@ -6,6 +6,7 @@ import pickle
 import shutil
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
+from http.server import ThreadingHTTPServer
 from pathlib import Path
 
 import numpy as np
@@ -17,6 +18,7 @@ from nearfar._camera.shot import Shot
 from tests.support import need
 from tests.support.flight_cases import camera_at, holes, images_of
 from tests.support.orthoview_stores import SIZE, box_about, world_of
+from tests.support.range_server import serve_folder
 
 need("zarr")
 
@@ -250,6 +252,22 @@ def test_without_a_cache_the_last_views_are_kept(layered: Tree) -> None:
     reads = tree._viewer.views.cache.reads
     tree.render(camera_at(tree, 200.0))
     assert tree._viewer.views.cache.reads > reads
+
+
+def test_a_tree_behind_a_web_server_looks_the_same(few_tree: Tree, monkeypatch: pytest.MonkeyPatch) -> None:
+    need("fsspec")
+    need("aiohttp")
+    # Parts are requested at once. With the default queue of five connections the others would wait for a second.
+    monkeypatch.setattr(ThreadingHTTPServer, "request_queue_size", 1024)
+    camera, folder = camera_at(few_tree, 40), Path(few_tree.path)
+    local = few_tree.render(camera, channels=CHANNELS)
+    assert local.stats["leaves"] > 0
+    with serve_folder(folder.parent) as server:
+        remote = nf.orthoview.open(server.url + folder.name)
+        assert_same(remote.render(camera, channels=CHANNELS), local)
+        asked = sum(server.answers.values())
+        assert_same(remote.render(camera, channels=CHANNELS), local)
+        assert sum(server.answers.values()) == asked > 0
 
 
 def test_invalid_calls_of_render_are_named(layered: Tree) -> None:
