@@ -149,6 +149,18 @@ def test_a_scene_far_from_the_origin_has_the_same_pictures(tmp_path: Path) -> No
     assert (np.abs(frames[0] - frames[1]).max(axis=-1) > 8).mean() < 0.02
 
 
+def test_scenes_without_moving_or_near_objects_are_bundles(tmp_path: Path) -> None:
+    wall = nf.Scene.from_arrays([[-20, -20, -80], [20, -20, -80], [20, 20, -80]], [[0, 1, 2]])
+    given = {**SETTINGS, "center": (0, 0, 0), "radii": [10.0, 20.0, 100.0], "face_size": 128}
+    bundle = nf.stream.export(wall, tmp_path / "wall", **given)
+    view = nf.Camera.look_at((0, 0, 0), (0, 0, -1), fov=nf.Fov.symmetric(40, 1), size=(32, 32))
+    first, *others = (bundle.at(ring).render(view, samples=1).require("color") for ring in range(4))
+    for other in others:
+        assert (np.abs(other - first).max(axis=-1) > 0.01).mean() < 0.1
+    assert np.ptp(first) > 0.1
+    assert [row["triangles"] for row in bundle.summary()] == [0, 0, 0, 1]
+
+
 def test_plain_geometry_is_loaded_by_other_readers(city: nf.Scene, folder: Path, tmp_path: Path) -> None:
     plain = nf.stream.export(city, tmp_path / "plain", **SETTINGS, compression=None)
     packed = nf.stream.open(folder)
