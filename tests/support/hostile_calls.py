@@ -24,9 +24,8 @@ HARMLESS = frozenset(("none", "big", "flag", "scene", "camera", "frame", "model"
 ITEM_BY_ITEM = "render_path.cameras render_path.at *.visual_continuity.*"
 """Parameters that may be iterators, whose items are checked on arrival; others are checked at the call."""
 
-
 PART = 4
-"""A keyword that a call passes on takes each `PART`th value only: the callable that has it takes all of them."""
+"""Forwarded keywords are tried with one value in `PART`; the callable that declares them is tried with all."""
 
 
 class Call:
@@ -150,8 +149,11 @@ class Call:
             Hostile(f"{value!r:.40}", constant(value))
             for value in (*near, *wrong_values(name, f"{self.name}.{parameter}"))
         )
-        if parameter in calls.callable_of(self.name).parameters:
+        forwarding = calls.callable_of(self.name)
+        if parameter in forwarding.parameters:
             return wrong, right
+        declaring = (calls.CALLABLES[receiver] for receiver in calls.receivers(forwarding.name))
+        assert any(parameter in each.parameters for each in declaring), f"no call tries all values of {name}"
         first = zlib.crc32(f"{self.name}.{parameter}".encode()) % PART
         return wrong[first::PART], right[first::PART]
 

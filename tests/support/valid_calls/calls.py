@@ -81,6 +81,12 @@ def parameters_of(name: str) -> dict[str, tuple[str, Parameter]]:
     return found if passed_on is None else {**parameters_of(passed_on), **found}
 
 
+def receivers(name: str) -> list[str]:
+    """Return the callables to which a callable forwards keywords, directly or through another one."""
+    direct = [*SETTINGS.get(name, "").split(), *([PASSED_ON[name]] if name in PASSED_ON else [])]
+    return [receiver for one in direct for receiver in (one, *receivers(one))]
+
+
 def _own_parameters(entry: PublicCallable) -> dict[str, Parameter]:
     """Return the parameters of a callable, and the fields of its groups of settings."""
     groups = [CALLABLES[group].parameters for group in SETTINGS.get(entry.name, "").split()]
