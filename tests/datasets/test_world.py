@@ -78,7 +78,8 @@ for place, detail in ORDER:
 def test_equal_in_other_processes_and_orders() -> None:
     order = [(0, 0.0), (1, 0.0), (0, 6.0), (1, 6.0)]
     printed = [
-        process(threads).printed(SAME.replace("ORDER", str(own))) for threads, own in (("1", order), ("2", order[::-1]))
+        process(threads).output_of(SAME.replace("ORDER", str(own)))
+        for threads, own in (("1", order), ("2", order[::-1]))
     ]
     first, second = (sorted(text.splitlines()) for text in printed)
     assert first == second

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 import nearfar as nf
 from nearfar._scene.builder import SceneBuilder
 from tests.support import need
-from tests.support.thread_counts import printed
+from tests.support.thread_counts import output_of
 
 
 def soup(count: int, seed: int = 0) -> tuple[NDArray[np.float32], NDArray[np.uint32]]:
@@ -167,4 +167,4 @@ print((kilobytes("VmHWM") - before + size) / size)
 def test_a_scene_of_large_arrays_takes_little_memory_besides() -> None:
     need("linux")
     # The documented limit is 1.5 times the arrays' memory, including the arrays.
-    assert float(printed(MEMORY)) < 1.5
+    assert float(output_of(MEMORY)) < 1.5

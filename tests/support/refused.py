@@ -12,7 +12,7 @@ import nearfar as nf
 from tests.attack import mutate
 from tests.support import PEAK
 from tests.support.gltf_cases import load
-from tests.support.thread_counts import printed
+from tests.support.thread_counts import output_of
 
 
 def load_damaged(folder: Path, data: bytes, count: int, wrap: Callable[[bytes], bytes]) -> list[nf.Scene]:
@@ -50,5 +50,5 @@ for most in {limits}:
     except nf.SceneError as error: print(error)
 print(peak() - start)
 """
-    *messages, more = printed(code).splitlines()
+    *messages, more = output_of(code).splitlines()
     return messages, int(more)

@@ -37,8 +37,8 @@ class Process:
         )
         atexit.register(self._end)
 
-    def printed(self, code: str) -> str:
-        """Return what a program prints; AssertionError with its traceback if it fails."""
+    def output_of(self, code: str) -> str:
+        """Return the text that a program prints; AssertionError with its traceback if it fails."""
         assert self._process.stdin is not None
         assert self._process.stdout is not None
         limit = threading.Timer(SECONDS, self._process.kill)
@@ -65,11 +65,11 @@ def process(threads: str) -> Process:
     return Process(threads)
 
 
-def printed(code: str) -> str:
+def output_of(code: str) -> str:
     """Return the output of a program that runs in another process."""
-    return process("1").printed(code)
+    return process("1").output_of(code)
 
 
 def printed_by_threads(code: str, counts: str = "123") -> set[str]:
     """Return the output of a program in processes with these numbers of threads; one text if all agree."""
-    return {process(threads).printed(code) for threads in counts}
+    return {process(threads).output_of(code) for threads in counts}
