@@ -149,7 +149,7 @@ def test_budgets_hold_in_each_picture_and_keep_the_price(models: list[nf.lod.Lod
 
 @pytest.mark.slow
 def test_weights_by_pixels_give_the_best_pictures() -> None:
-    """In nine scenes with one object that fills the view, against equal weights and screen-space error."""
+    """27 comparisons (nine scenes, three budgets): one object fills the view; weights are equal, or by screen error."""
     need("fast_simplification")
     screen: dict[str, Any] = {"fov": nf.Fov.symmetric(90), "size": (240, 240)}
     models = [
@@ -173,7 +173,7 @@ def test_weights_by_pixels_give_the_best_pictures() -> None:
             return nf.render(scene, camera, samples=4, channels=("color",), lod=lod, backend="cpu")
 
         truth = picture(None)
-        errors = [models[n].errors * 120 / (away - 1.2) for n, away in zip(index, distances, strict=True)]
+        errors = [models[n].errors * 120 / (distance - 1.2) for n, distance in zip(index, distances, strict=True)]
         for pixels in (1, 2, 4):
             rule = [int(np.flatnonzero(error <= pixels).max()) for error in errors]
             by_rule = picture(rule)
