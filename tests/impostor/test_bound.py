@@ -162,13 +162,17 @@ ARGUMENTS: dict[str, Any] = {
 }
 
 
-# Always the same scenes. A texel by which the mask of a wall grows may look larger to a user than to the wall's centre,
-# which sees it edge-on: then 0.23 % of the pixels are known to be wrong.
+# At the silhouettes of a wall a texel by which its mask grows may look larger to a user than to the impostor's centre,
+# which sees the wall edge-on: then 0.23 % of the pixels are known to be wrong.
+MOST_WRONG = 0.003
+"""Bound of the share of wrong pixels of random scenes."""
+
+
 @given(**ARGUMENTS)
 @settings(max_examples=3, derandomize=True)
 def test_ranges_of_random_scenes_are_within_the_bound(**scene: Any) -> None:
     missing, wrong, expected = check_ranges(**scene)
-    assert wrong <= 0.002
+    assert wrong <= MOST_WRONG
     assert missing <= 10.0 * expected + 0.005
 
 
@@ -177,7 +181,7 @@ def test_ranges_of_random_scenes_are_within_the_bound(**scene: Any) -> None:
 @settings(max_examples=60, derandomize=True)
 def test_ranges_of_many_random_scenes_are_within_the_bound(**scene: Any) -> None:
     missing, wrong, expected = check_ranges(**scene)
-    assert wrong <= 0.002
+    assert wrong <= MOST_WRONG
     assert missing <= 10.0 * expected + 0.005
 
 
