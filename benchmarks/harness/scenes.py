@@ -9,7 +9,6 @@ import nearfar as nf
 from nearfar._base import data
 
 FILES = {
-    "Tokyo": "city/tokyo23/tokyo23_buildings.parquet",
     "Tokyo core": "city/tokyo23/tokyo_core_lod1.glb",
     "Manhattan core": "city/manhattan_deckgl/manhattan_core.glb",
     "FlightHelmet": "objects/gltf/FlightHelmet/FlightHelmet.gltf",
