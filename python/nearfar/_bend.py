@@ -42,8 +42,8 @@ def bend_rays(
         As in `morph`; the curves are the same for both kinds.
     tolerance
         Greatest angle in radians, seen from U, between a chord of the polyline and its curve; at least 1e-9, which
-        needs about a thousand points for each ray. A chord is tested at its middle and at the middles of its halves
-        and quarters.
+        needs about a thousand points for each ray. A chord is tested beside its start, at its middle and at the
+        middles of its halves and quarters, with a `strength` below 1 also beside its end and at finer divisions.
 
     Returns
     -------

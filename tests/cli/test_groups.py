@@ -105,6 +105,8 @@ def test_commands_have_few_parameters() -> None:
         ("a.glb: damaged; depth='drop' leaves it out", "a.glb: damaged; --depth drop leaves it out"),
         ("expected none with depth= (width=0.5, loud=True)", "expected none with --depth (--width 0.5, --loud)"),
         ("http://a/?width=2: other=3, width is 4", "http://a/?width=2: other=3, width is 4"),
+        ("a width=2/b.glb: damaged", "a width=2/b.glb: damaged"),
+        ("got width=(1, 2) of f(width=1) with loud=False", "got width=(1, 2) of f(width=1) with loud=False"),
     ],
 )
 def test_errors_name_options_not_parameters(message: str, shown: str) -> None:

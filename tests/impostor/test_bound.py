@@ -133,17 +133,22 @@ SHAPES = st.builds(
 
 
 def check_ranges(
-    shapes: list[Shape], r2: float, share: float, error_px: float, turn: float, *, has_ground: bool
+    shapes: list[Shape], r2: float, share: float, error_px: float, turn: float, *, has_ground: bool, step: float
 ) -> tuple[float, float, float]:
-    """Return the shares of missing and of wrong pixels of three users on the region's border, and of missing ones."""
+    """Return the shares of missing and of wrong pixels of three users on the region's border, and of missing ones.
+
+    The region is `step` reaches beside another one, whose quads it uses as well.
+    """
     reach = share * r2
     apart = [replace(shape, distance=max(shape.distance, share * 1.2 + 0.8 * shape.size)) for shape in shapes]
     scene = scene_of(apart, r2, has_ground=has_ground)
     center = (0.0, 0.5 * r2 * (share + 0.1), 0.0)
     baked = bake(scene, center=center, reach=reach, r2=r2, face_size=128, centers=7, error_px=error_px)
     sides = [(np.cos(turn), 0.0, np.sin(turn)), (-0.6 * np.cos(turn), 0.8, 0.0), (0.0, -0.5, np.sin(turn))]
+    if step:
+        baked = baked.recentered(np.add(center, (step * reach, 0.0, 0.0))).result()
     found = [
-        compare(scene, baked, np.add(center, reach * np.array(side)), turn + 2.0 * k, 32)
+        compare(scene, baked, np.add(baked.center, reach * np.array(side)), turn + 2.0 * k, 32)
         for k, side in enumerate(sides)
     ]
     # One pixel of fewer is no share: the truth's samples may miss the end of a narrow surface.
@@ -159,6 +164,7 @@ ARGUMENTS: dict[str, Any] = {
     "error_px": st.sampled_from([1.0, 4.0, 16.0]),
     "turn": st.floats(0.0, 6.3),
     "has_ground": st.booleans(),
+    "step": st.sampled_from([0.0, 0.5, 1.7]),
 }
 
 

@@ -216,6 +216,12 @@ def test_impostors_of_neighbouring_regions_show_the_same_picture_within_their_er
     maps = nf.regions(scene, [start, end], reach=2.0, hysteresis=0.2, r2=12.0, morph="none", face_size=128)
     mapped = [nf.render(maps.reduced(n), camera, samples=4, channels=("color",)) for n in (0, 1)]
     assert nf.psnr(*pictures) > nf.psnr(*mapped) + 6.0
+    # The second region uses quads of the first one, also if nobody was there.
+    alone: Any = nf.regions(scene, [start, end], far="impostors", reach=2.0, hysteresis=0.2, r2=12.0, settings=baking)
+    shared: Any = regions.reduced(1)
+    assert 0 < shared.stats["shared_quads"] < shared.stats["quads"]
+    for name in ("vertices", "faces", "atlas"):
+        np.testing.assert_array_equal(getattr(shared._quads, name), getattr(alone.reduced(1)._quads, name))
     # Both regions are within two pixels of 1/20 degree of the truth.
     assert isinstance(camera.fov, nf.Fov)
     focal = camera.width / (camera.fov.right - camera.fov.left)

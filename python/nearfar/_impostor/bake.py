@@ -53,6 +53,8 @@ class Baked:
     """Settings of the bake; budgets may have changed `error_px` and `face_size`."""
     missing: float = 0.0
     """Share of the probes' pixels that are missing."""
+    sheets: _core.ImpostorSheets | None = None
+    """Quads that the bake of another region can use again."""
 
     @property
     def far_count(self) -> int:
@@ -60,8 +62,13 @@ class Baked:
         return 0 if self.quads is None else len(self.quads.faces)
 
 
-def bake(zones: Partition, region: Region, settings: ImpostorSettings) -> Baked:
-    """Bake the far part of a partitioned scene with these settings, without regard to budgets."""
+def bake(
+    zones: Partition, region: Region, settings: ImpostorSettings, earlier: _core.ImpostorSheets | None = None
+) -> Baked:
+    """Bake the far part of a partitioned scene with these settings, without regard to budgets.
+
+    Quads of an `earlier` bake of the same scene that keep the error bound in this region are used again.
+    """
     counts, near = zones.summary(), zones.nsf
     if counts["sf"] == counts["straddling"]:
         return Baked(near, None, settings)
@@ -76,12 +83,12 @@ def bake(zones: Partition, region: Region, settings: ImpostorSettings) -> Baked:
         "missing": settings.missing,
     }
     with progress.bar("baking impostors") as report:
-        baked = _core.bake_impostors(zones.scene._core, arguments, report=report)
+        baked = _core.bake_impostors(zones.scene._core, arguments, earlier=earlier, report=report)
     if settings.visible:
         is_moving = near >= zones.scene._core.standing_triangle_count
         near = near[is_moving | np.isin(near, baked["seen"], assume_unique=True)]
     quads = Quads.from_kernel(baked)
-    return Baked(near, quads if len(quads) else None, settings, float(baked["missing"][-1]))
+    return Baked(near, quads if len(quads) else None, settings, float(baked["missing"][-1]), baked["sheets"])
 
 
 def changed_share(zones: Partition, region: Region, baked: Baked) -> float:

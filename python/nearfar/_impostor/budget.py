@@ -6,6 +6,7 @@ import logging
 import math
 from dataclasses import replace
 
+from nearfar import _core
 from nearfar._impostor import bake, file
 from nearfar._impostor.bake import Baked, Region
 from nearfar._impostor.settings import MIN_FACE_SIZE, ImpostorSettings
@@ -25,8 +26,14 @@ _MAX_CUTS = 8
 class Budget:
     """Bakes of one scene until near and far part keep the budgets of its settings."""
 
-    def __init__(self, zones: Partition, region: Region, settings: ImpostorSettings) -> None:
-        self._zones, self._region, self._settings = zones, region, settings
+    def __init__(
+        self,
+        zones: Partition,
+        region: Region,
+        settings: ImpostorSettings,
+        earlier: _core.ImpostorSheets | None = None,
+    ) -> None:
+        self._zones, self._region, self._settings, self._earlier = zones, region, settings, earlier
         self.bakes = 0
         """Number of bakes so far."""
         self.dropped = (0, 0)
@@ -44,7 +51,7 @@ class Budget:
     def _bake(self, settings: ImpostorSettings) -> Baked:
         self.bakes += 1
         self.dropped = (0, 0)
-        baked = bake.bake(self._zones, self._region, settings)
+        baked = bake.bake(self._zones, self._region, settings, self._earlier)
         if settings.triangles is not None and len(baked.near) > settings.triangles:
             raise ValueError(
                 f"triangles: expected at least the {len(baked.near):,} of the near part within "

@@ -52,6 +52,8 @@ class Quads:
     """(H, W, 4) sRGB and alpha, row 0 on top."""
     layers: tuple[tuple[Point, int], ...]
     """Centre of each layer relative to O, and its number of quads; quads are in the order of their layers."""
+    shared: int = 0
+    """Number of quads of an earlier bake, which are the first."""
 
     @classmethod
     def from_kernel(cls, baked: dict[str, Any]) -> Self:
@@ -60,7 +62,7 @@ class Quads:
         arrays = {name: baked[name] for name in ("vertices", "faces", "objects", "masked", "atlas")}
         # Rounded so that 1 − v is exact: files have v downwards.
         uvs = np.column_stack([baked["uv"][:, 0], _ONE - (_ONE - baked["uv"][:, 1])])
-        return cls(**arrays, uvs=uvs, owners=baked["quads"], layers=layers)
+        return cls(**arrays, uvs=uvs, owners=baked["quads"], layers=layers, shared=baked["shared"])
 
     def __len__(self) -> int:
         return len(self.masked)
@@ -100,6 +102,10 @@ class Quads:
         order = np.argsort(-self.texels, kind="stable")
         is_kept = np.zeros(len(self), np.bool_)
         is_kept[order[np.cumsum(sizes[order]) <= triangles]] = True
+        return self.select(is_kept)
+
+    def select(self, is_kept: NDArray[np.bool_]) -> Self:
+        """Return the quads with a mask (Q,); the texels of the others are cleared."""
         chosen = is_kept[self.owners]
         rows, corners = np.unique(self.faces[chosen], return_inverse=True)
         numbers = np.cumsum(is_kept) - 1
@@ -119,6 +125,7 @@ class Quads:
             masked=self.masked[is_kept],
             atlas=atlas,
             layers=tuple((at, int(part.sum())) for (at, _), part in zip(self.layers, parts, strict=True)),
+            shared=int(is_kept[: self.shared].sum()),
         )
 
     def scene(self, center: Point, origin: NDArray[np.float64], names: Sequence[str] = ()) -> Scene:

@@ -62,11 +62,11 @@ class Impostors(Renderable):
     stats: Mapping[str, Any]
     """Counts and measures.
 
-    Far part: `triangles`, `quads`, the `texels` that they show, `layers`, and width and height of the `atlas` in
-    texels. `near_triangles`, and `scene_triangles` of the original scene. `error_px` as chosen; `missing`, the share of
-    the pixels of the region's probes that are missing, before quads were dropped for a budget; `dropped_quads` and
-    `dropped_texels`, which they showed; `changed`, the share of the pixels of other users that show near triangles
-    which were left out; `bakes`, the number of bakes.
+    Far part: `triangles`, `quads`, of which `shared_quads` are those of a neighbouring region, the `texels` that they
+    show, `layers`, and width and height of the `atlas` in texels. `near_triangles`, and `scene_triangles` of the
+    original scene. `error_px` as chosen; `missing`, the share of the pixels of the region's probes that are missing,
+    before quads were dropped for a budget; `dropped_quads` and `dropped_texels`, which they showed; `changed`, the
+    share of the pixels of other users that show near triangles which were left out; `bakes`, the number of bakes.
     """
     layers: tuple[tuple[Point, int], ...]
     """World position of each centre that quads were baked from, and the number of its quads."""
@@ -75,6 +75,8 @@ class Impostors(Renderable):
     _quads: Quads | None = field(repr=False)
     _source: Scene | ReducedScene | None = field(repr=False)
     """The original scene, or the published reduction that a folder holds; None for a folder without a map."""
+    _sheets: _core.ImpostorSheets | None = field(default=None, repr=False)
+    """Quads that another region of the scene can use again; None for a folder, and for pickled impostors."""
 
     @cached_property
     def scene(self) -> Scene:
@@ -138,8 +140,10 @@ class Impostors(Renderable):
     def recentered(self, center: ArrayLike) -> Recentering[Impostors]:
         """Start baking the same scene about another centre, a world position (3,) in metres, in the background.
 
-        Settings, r2 and poses stay. In the result, `ready` says whether it is finished; `result()` waits for the new
-        `Impostors`. ValueError and TypeError for an invalid centre, or for impostors that `load` read.
+        Settings, r2 and poses stay. Quads that keep the error bound about the new centre are used again, so the result
+        may differ from that of `reduce` within the bound. In the result, `ready` says whether it is finished;
+        `result()` waits for the new `Impostors`. ValueError and TypeError for an invalid centre, or for impostors that
+        `load` read.
         """
         middle = check.vector("center", center)
         stages.check_place(middle)
@@ -147,7 +151,7 @@ class Impostors(Renderable):
         if not isinstance(source, Scene):
             raise ValueError("center: expected impostors that were baked, got those of a folder without far geometry")
         settings = replace(self.settings, reach=self.reach)
-        return Recentering(middle, lambda: reduce_to_impostors(source, middle, self.r2, settings))
+        return Recentering(middle, lambda: reduce_to_impostors(source, middle, self.r2, settings, earlier=self))
 
     def save(
         self,
@@ -301,7 +305,8 @@ class Impostors(Renderable):
     def __getstate__(self) -> dict[str, Any]:
         """Pickle without the published reduction, which is baked again when needed, or missing if it was read."""
         source = self._source if isinstance(self._source, Scene) else None
-        return {name: value for name, value in self.__dict__.items() if name != "published"} | {"_source": source}
+        state = {name: value for name, value in self.__dict__.items() if name != "published"}
+        return state | {"_source": source, "_sheets": None}
 
     @property
     def origin(self) -> NDArray[np.float64]:
@@ -389,11 +394,14 @@ def reduce_to_impostors(
     reasons: Mapping[str, str] | None = None,
     *,
     may_keep: bool = True,
+    earlier: Impostors | None = None,
 ) -> Impostors:
     """Bake impostors of a scene about a centre; `reasons` say how centre and r2 were chosen, in words by name.
 
-    `may_keep` as in `stages.impostor_parts`.
+    `may_keep` as in `stages.impostor_parts`. Quads of `earlier`, of another region of the scene, are used again where
+    they keep the error bound.
     """
-    parts = stages.impostor_parts(scene, center, r2, settings, may_keep=may_keep)
+    sheets = None if earlier is None else earlier._sheets
+    parts = stages.impostor_parts(scene, center, r2, settings, may_keep=may_keep, earlier=sheets)
     reason = default_radii.join({**(reasons or {}), **parts.pop("notes")})
     return Impostors(**parts, reason=reason, _source=scene)

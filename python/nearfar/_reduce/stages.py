@@ -9,6 +9,7 @@ from typing import Any, Unpack
 import numpy as np
 from numpy.typing import ArrayLike
 
+from nearfar import _core
 from nearfar._base import check
 from nearfar._cubemap.envmap import EnvMap
 from nearfar._impostor import bake as impostor_bake, file
@@ -79,12 +80,19 @@ def check_place(center: Point) -> None:
 
 
 def impostor_parts(
-    scene: Scene, center: Point, r2: float, settings: ImpostorSettings, *, may_keep: bool = True
+    scene: Scene,
+    center: Point,
+    r2: float,
+    settings: ImpostorSettings,
+    *,
+    may_keep: bool = True,
+    earlier: _core.ImpostorSheets | None = None,
 ) -> dict[str, Any]:
     """Partition a scene and bake impostors of its far part; return arguments of `Impostors`, and `notes` by name.
 
     `r2` is checked. A scene stays as it is if impostors would have as many triangles, unless bytes are limited; without
-    `may_keep` it gets them all the same. ValueError for a centre out of range, and a reach that is not less than r2.
+    `may_keep` it gets them all the same. Quads of an `earlier` bake of the scene are used again where they keep the
+    bound. ValueError for a centre out of range, and a reach that is not less than r2.
     """
     reach = min(default_radii.REACH, 0.5 * r2) if settings.reach is None else settings.reach
     check_place(center)
@@ -96,7 +104,7 @@ def impostor_parts(
     if fitting := _explain_fit(scene, region, settings):
         return facts | _whole(scene, counts, fitting)
     zones = partition(scene, center=center, r1=0.0, r2=r2)
-    budget = Budget(zones, region, settings)
+    budget = Budget(zones, region, settings, earlier)
     baked = budget.bake()
     quads, used = baked.quads, baked.settings
     is_small = may_keep and settings.bytes is None
@@ -123,6 +131,7 @@ def impostor_parts(
         "stats": {
             "triangles": baked.far_count,
             "quads": 0 if quads is None else len(quads),
+            "shared_quads": 0 if quads is None else quads.shared,
             "texels": 0 if quads is None else int(quads.texels.sum()),
             "layers": len(layers),
             "atlas": (0, 0) if quads is None else quads.atlas.shape[1::-1],
@@ -134,6 +143,7 @@ def impostor_parts(
         "layers": tuple((tuple(np.add(center, offset).tolist()), count) for offset, count in layers),
         "notes": notes,
         "_quads": quads,
+        "_sheets": baked.sheets,
     }
 
 
@@ -151,6 +161,22 @@ def _explain_fit(scene: Scene, region: Region, settings: ImpostorSettings) -> st
 
 def _whole(scene: Scene, counts: dict[str, Any], note: str) -> dict[str, Any]:
     """Return the arguments of `Impostors` for a scene that stays as it is."""
-    nothing = {"triangles": 0, "quads": 0, "texels": 0, "layers": 0, "atlas": (0, 0), "error_px": 0.0}
+    nothing = {
+        "triangles": 0,
+        "quads": 0,
+        "shared_quads": 0,
+        "texels": 0,
+        "layers": 0,
+        "atlas": (0, 0),
+        "error_px": 0.0,
+    }
     stats = {**nothing, "near_triangles": scene.triangle_count, **counts, "dropped_quads": 0, "dropped_texels": 0}
-    return {"near": scene, "far": None, "stats": stats, "layers": (), "notes": {"far": note}, "_quads": None}
+    return {
+        "near": scene,
+        "far": None,
+        "stats": stats,
+        "layers": (),
+        "notes": {"far": note},
+        "_quads": None,
+        "_sheets": None,
+    }

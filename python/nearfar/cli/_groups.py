@@ -116,16 +116,22 @@ def expand(function: Command, **defaults: Any) -> Command:
 
 
 def _with_flags(message: str, flags: dict[str, str]) -> str:
-    """Replace parameters by options, given by name: at the beginning before a colon, and in name=value and name=."""
+    """Replace parameters by options, given by name: at the beginning before a colon, and in name=value and name=.
+
+    A path before the first colon stays as it is, and so do values that no option takes.
+    """
 
     def replace(found: re.Match[str]) -> str:
-        if found["name"] not in flags:
+        if found["name"] not in flags or found["value"] == "False":
             return found[0]
         value = found["value"].strip("'\"")
         return flags[found["name"]] + ("" if value in ("", "True") else f" {value}") + found["end"]
 
     message = re.sub(r"^(?P<name>\w+)(?P<value>)(?P<end>(\[\d+\])?: )", replace, message)
-    return re.sub(r"(?<![^\s(])(?P<name>[a-z]\w*)=(?P<value>'[^']*'|\"[^\"]*\"|[\w.+-]*\w|)(?P<end>)", replace, message)
+    start, colon, rest = message.partition(": ") if ": " in message else ("", "", message)
+    value = r"(?P<value>'[^']*'|\"[^\"]*\"|[\w.+-]*\w|)(?P<end>)(?![\w(\[])"
+    assigned = rf"(?<![^\s(])(?<!\w\()(?P<name>[a-z]\w*)={value}"
+    return start + colon + re.sub(assigned, replace, rest)
 
 
 _NO_DEFAULTS = (MISSING, inspect.Parameter.empty, None)

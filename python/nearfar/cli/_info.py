@@ -210,7 +210,8 @@ def _save_preview(
     if scene is None:
         raise ValueError(f"preview: expected a file with geometry, got {source}, a model without")
     reduced = subject if isinstance(subject, nf.ReducedScene | nf.Impostors) else None
-    view, text = _overview(scene, source) if reduced is None else None, "overview from above"
+    text = "overview from above"
+    view = _overview(scene, source) if reduced is None else None
     if view is None:
         user_view = None if reduced is None else _viewpoint.view_of(source)
         viewpoint = _viewpoint.choose(scene, source, None if reduced is None else reduced.center)

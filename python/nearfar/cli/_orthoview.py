@@ -232,10 +232,8 @@ def content_rows(tree: nf.orthoview.OrthoTree, facts: Mapping[str, Any]) -> list
     """Return the table rows of a tree, and of the facts of a command: `seconds`, `files` and `splats`."""
     held = tree.held
     view_bytes = bytes_text(held["bytes"] / max(held["chunks"] // 3, 1))
-    cells, grid = (
-        f"{count(held['cells'])} {'cell' if held['cells'] == 1 else 'cells'}",
-        " × ".join(map(str, tree.cells(0))),
-    )
+    cells = f"{count(held['cells'])} {'cell' if held['cells'] == 1 else 'cells'}"
+    grid = " × ".join(map(str, tree.cells(0)))
     low, high = tree.bounds
     rows = [
         ("leaves", f"{grid} cells of {tree.cell:g} m, {count(held['leaves'])} not empty"),
@@ -245,7 +243,7 @@ def content_rows(tree: nf.orthoview.OrthoTree, facts: Mapping[str, Any]) -> list
         ("stored views", f"of {cells}, {bytes_text(held['bytes'])}, {view_bytes} a view on average"),
         *_geometry_rows(tree.geometry),
         ("updates", f"{count(tree.generation)} since the build"),
-        ("last update" if tree.generation else "build", _work_text(tree.done)),
+        ("last update" if "reloaded" in tree.done else "build", _work_text(tree.done)),
         *((f"{name} took", f"{value:.2f} s") for name, value in facts.get("seconds", {}).items()),
     ]
     if "files" in facts:

@@ -1,7 +1,7 @@
 //! Bindings of `impostor`.
 
 use glam::DVec3;
-use nearfar_core::impostor::{self, Settings};
+use nearfar_core::impostor::{self, Settings, Sheet};
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -23,21 +23,27 @@ pub struct BakeArguments {
     missing: f64,
 }
 
+/// Quads of a bake, which the bake of another region of the same scene can use again.
+#[pyclass(frozen, module = "nearfar._core")]
+pub struct ImpostorSheets(Vec<Sheet>);
+
 /// Textured quads of the far part: vertices (V, 3) relative to the centre, texture coordinates (V, 2), faces (F, 3),
 /// the quad of each face (F,), object number (−1 without one) and mask of each quad (Q,), and the atlas (H, W, 4), by name; with the layers' centres
-/// and numbers of quads, the shares of missing pixels, and the numbers of the near static triangles that rays from the
-/// region hit.
+/// and numbers of quads, the number of quads `shared` with the bake of `earlier`, which are the first, the shares of
+/// missing pixels, and the numbers of the near static triangles that rays from the region hit.
 #[pyfunction]
-#[pyo3(signature = (scene, settings, *, report=None))]
+#[pyo3(signature = (scene, settings, *, earlier=None, report=None))]
 pub fn bake_impostors<'py>(
     py: Python<'py>,
     scene: &Scene,
     settings: BakeArguments,
+    earlier: Option<&ImpostorSheets>,
     report: Report,
 ) -> PyResult<Bound<'py, PyDict>> {
     let BakeArguments { center, reach, height, r2, size, angle, centers, missing } = settings;
     let settings = Settings { center: DVec3::from_array(center), reach, height, r2, size, angle, centers, missing };
-    let baked = run::long(py, report, |progress| impostor::bake(&scene.0, &settings, progress))?;
+    let earlier = earlier.map_or(&[][..], |sheets| &sheets.0);
+    let baked = run::long(py, report, |progress| impostor::bake(&scene.0, &settings, earlier, progress))?;
     let mesh = baked.mesh;
     let result = PyDict::new(py);
     let rows = |values: usize| [values, 3];
@@ -52,6 +58,8 @@ pub fn bake_impostors<'py>(
     let [width, height] = mesh.size.map(|side| side as usize);
     result.set_item("atlas", PyArray1::from_vec(py, mesh.texels.into_flattened()).reshape([height, width, 4])?)?;
     result.set_item("layers", baked.layers)?;
+    result.set_item("shared", baked.shared)?;
+    result.set_item("sheets", ImpostorSheets(baked.sheets))?;
     result.set_item("missing", baked.missing)?;
     result.set_item("seen", PyArray1::from_vec(py, baked.seen))?;
     Ok(result)

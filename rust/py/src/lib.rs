@@ -46,7 +46,7 @@ mod _core {
         gpu::compute::{gpu_cube_lookup, gpu_discontinuity, gpu_morph, gpu_similarity},
         gpu::device::{GpuDevice, gpu_adapters, gpu_close, gpu_forked, gpu_is_hardware},
         gpu::frame::{GpuFrame, GpuJob, gpu_keep},
-        impostor::bake_impostors,
+        impostor::{ImpostorSheets, bake_impostors},
         lens::{RadialLens, corrected_solid_angles, warp, warp_mesh},
         lod::select::{check_weights, select_levels, spend_triangles},
         lod::simplify::{carry, collapse, first_alike, fit_4pl, pieces},

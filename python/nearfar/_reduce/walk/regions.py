@@ -17,7 +17,7 @@ from nearfar._impostor.settings import ImpostorSettings
 from nearfar._reduce.baking import MapSettings
 from nearfar._reduce.choose_radii import Radii
 from nearfar._reduce.drawing import MORPHS, MorphKind
-from nearfar._reduce.impostors import Impostors
+from nearfar._reduce.impostors import Impostors, reduce_to_impostors
 from nearfar._reduce.reduce import reduce
 from nearfar._reduce.reduced_scene import ReducedScene
 from nearfar._reduce.walk.folds import error_in_pixels, predict_jump
@@ -36,7 +36,8 @@ class Regions:
     """Regions in which a user walks, each with its own centre and reduced scene; made by `regions`.
 
     A reduced scene is made on first use, or in advance in the background (`prefetch`). The most recently used ones are
-    cached. All share the scene, with its meshes, search trees and textures.
+    cached. All share the scene, with its meshes, search trees and textures; every second region of impostors uses quads
+    of the region before it.
     """
 
     def __init__(
@@ -227,8 +228,21 @@ class Regions:
     def _make(self, number: int) -> Reduced:
         center, r1, r2 = self._centers[number], self._radii.r1, self._radii.r2
         if isinstance(self._baking, ImpostorSettings):
-            return reduce(self._scene, center=center, r2=r2, far="impostors", settings=self._baking)
+            place = check.vector("center", center)
+            return reduce_to_impostors(self._scene, place, r2, self._baking, earlier=self._lender(number))
         return reduce(self._scene, center=center, r1=r1, r2=r2, morph=self._morph, settings=self._baking)
+
+    def _lender(self, number: int) -> Impostors | None:
+        """Impostors whose quads a region can use: those of the region before it, for every second one.
+
+        So what a region shows does not depend on the way by which users reach it.
+        """
+        if number % 2 == 0 or math.dist(self._centers[number], self._centers[number - 1]) > 2.0 * self.reach:
+            return None
+        lender = self._cache.get(number - 1)
+        if lender is None:
+            lender = self._make(number - 1)
+        return lender if isinstance(lender, Impostors) else None
 
     def _collect(self, next_region: int | None) -> None:
         """Store a region made in the background.

@@ -8,7 +8,7 @@ use crate::morph::Morph;
 const STEPS: usize = 80;
 /// Maximum number of halvings of a stretch beyond the number that the tolerance requires.
 const SPARE_HALVINGS: u32 = 8;
-/// The same for a strength below 1, where the curve may turn by a right angle within micrometres of U and O.
+/// `SPARE_HALVINGS` for strengths below 1, where the curve may turn by a right angle within micrometres of U and O.
 const SPARE_HALVINGS_BESIDE_U_AND_O: u32 = 24;
 /// A stretch has at most `MAX_CHORDS` / √tolerance chords, with the tolerance in radians. Where the picture folds, the
 /// curve jumps and no chord meets the tolerance.
@@ -234,11 +234,11 @@ impl<'a> RayCurve<'a> {
         let mut chords = vec![(first, last, 0)];
         while let Some((a, b, depth)) = chords.pop() {
             // At a strength below 1 a chord may begin or end beside U or O, where the curve turns most.
-            let levels = if depth < 2 { 3 } else { 2 } + if is_partial { 2 } else { 0 };
+            let levels = (if depth < 2 { 3 } else { 2 }) + (if is_partial { 2 } else { 0 });
             let is_last = depth == max_depth || points.len() >= max_count;
             let tested = TESTED_TOLERANCE * tolerance;
-            let starts_flat = self.is_flat_beside(a, b, tested) && (!is_partial || self.is_flat_beside(b, a, tested));
-            if is_last || starts_flat && self.is_flat(a, b, levels, tested) {
+            let ends_flat = self.is_flat_beside(a, b, tested) && (!is_partial || self.is_flat_beside(b, a, tested));
+            if is_last || ends_flat && self.is_flat(a, b, levels, tested) {
                 points.push(self.point(b.0, b.1));
                 continue;
             }

@@ -1,8 +1,10 @@
 //! Layers, and whether one shows a point.
 
+use std::sync::Arc;
+
 use glam::DVec3;
 
-use super::cover::Cover;
+use super::paint::Quad;
 use super::plane::{Bound, Plane};
 use super::tile::{Place, SIDE, Texel};
 use super::world::World;
@@ -44,7 +46,7 @@ fn area(point: DVec3, secant: f64, normal: DVec3, size: usize) -> f64 {
 }
 
 /// Planes of a tile and the plane that shows each texel.
-pub struct LayerTile {
+struct LayerTile {
     owners: Vec<u16>,
     planes: Vec<Plane>,
 }
@@ -70,25 +72,32 @@ pub fn place(number: usize, size: usize) -> Place {
     Place { face: face as u8, left: rest % across * SIDE, top: rest / across * SIDE }
 }
 
+/// Returns the number of the tile at a place.
+fn tile_number(place: &Place, size: usize) -> usize {
+    let across = tiles_across(size);
+    (usize::from(place.face) * across + place.top / SIDE) * across + place.left / SIDE
+}
+
 impl LayerTile {
-    /// Returns the planes and owners of covers; `None` without any.
-    pub fn new(covers: &[Cover]) -> Option<Self> {
-        if covers.is_empty() {
-            return None;
-        }
+    fn new(quads: &[Arc<Quad>]) -> Self {
         let mut owners = vec![NOBODY; SIDE * SIDE];
-        for (number, cover) in covers.iter().enumerate() {
-            for &texel in &cover.texels {
+        for (number, quad) in quads.iter().enumerate() {
+            for &texel in &quad.own {
                 owners[usize::from(texel)] = number as u16;
             }
         }
-        Some(Self { owners, planes: covers.iter().map(|cover| cover.plane).collect() })
+        Self { owners, planes: quads.iter().map(|quad| quad.plane).collect() }
     }
 }
 
 impl Layer {
-    /// Creates a layer from its tiles, ordered by number.
-    pub fn new(world: &World<'_>, center: DVec3, size: usize, tiles: Vec<Option<LayerTile>>) -> Self {
+    /// Creates a layer from its quads, in the order of their tiles.
+    pub fn new(world: &World<'_>, center: DVec3, size: usize, quads: &[Arc<Quad>]) -> Self {
+        let mut tiles: Vec<Option<LayerTile>> = Vec::new();
+        tiles.resize_with(6 * tiles_across(size).pow(2), || None);
+        for quads in quads.chunk_by(|a, b| a.place == b.place) {
+            tiles[tile_number(&quads[0].place, size)] = Some(LayerTile::new(quads));
+        }
         Self { center, bound: world.bound(center), size, tiles }
     }
 
@@ -118,9 +127,7 @@ impl Layer {
     }
 
     fn plane(&self, face: u8, column: usize, row: usize) -> Option<&Plane> {
-        let across = tiles_across(self.size);
-        let number = (usize::from(face) * across + row / SIDE) * across + column / SIDE;
-        let tile = self.tiles[number].as_ref()?;
+        let tile = self.tiles[tile_number(&Place { face, left: column, top: row }, self.size)].as_ref()?;
         tile.planes.get(usize::from(tile.owners[row % SIDE * SIDE + column % SIDE]))
     }
 }

@@ -13,12 +13,15 @@ mod paint;
 mod plane;
 mod probe;
 mod sample;
+mod sheet;
 mod small;
 mod strips;
 #[cfg(test)]
 mod tests;
 mod tile;
 mod world;
+
+use std::sync::Arc;
 
 use glam::DVec3;
 use rayon::prelude::*;
@@ -31,9 +34,10 @@ use crate::render::bake::without_moving;
 use crate::scene::Scene;
 
 pub use atlas::Mesh;
-use layer::{Layer, LayerTile, place, tiles_across};
+use layer::{Layer, place, tiles_across};
 use paint::Quad;
 use probe::Probe;
+pub use sheet::Sheet;
 use tile::{SIDE, Tile};
 use world::{Seen, World};
 
@@ -63,8 +67,12 @@ pub struct Settings {
 pub struct Impostors {
     /// The quads as textured triangles relative to O.
     pub mesh: Mesh,
-    /// Centre of each layer relative to O, and its number of quads.
+    /// Centre of each layer relative to O, and its number of quads; layers of the earlier bake are first.
     pub layers: Vec<([f64; 3], usize)>,
+    /// Number of quads of the earlier bake.
+    pub shared: usize,
+    /// Quads of each layer, which the bake of another region can use again.
+    pub sheets: Vec<Sheet>,
     /// Share of the probes' pixels missing before each layer was chosen, and at the end.
     pub missing: Vec<f64>,
     /// Numbers of the static triangles that are not far as a whole and that users of the region see, ascending.
@@ -81,8 +89,9 @@ fn single_precision(position: DVec3) -> DVec3 {
     position.as_vec3().as_dvec3()
 }
 
-/// Bakes the far part of a scene.
-pub fn bake(scene: &Scene, settings: &Settings, progress: &Progress) -> Result<Impostors> {
+/// Bakes the far part of a scene. `earlier` has the quads of another region of the same scene: those that keep the bound
+/// here are used again, and new ones show what is left.
+pub fn bake(scene: &Scene, settings: &Settings, earlier: &[Sheet], progress: &Progress) -> Result<Impostors> {
     let Settings { center, reach, height, r2, size, .. } = *settings;
     ensure!((64..=MAX_SIZE / 2).contains(&size), "face_size", format!("64 to {} texels", MAX_SIZE / 2), size);
     ensure!(reach.is_finite() && reach > 0.0, "reach", "a finite radius above 0", reach);
@@ -108,36 +117,47 @@ pub fn bake(scene: &Scene, settings: &Settings, progress: &Progress) -> Result<I
     }
     let width = (size / PROBE_SIZE).max(32);
     let probes = places.iter().map(|&at| Probe::trace(&world, at, width, progress)).collect::<Result<Vec<_>>>()?;
-    let mut baked = Baked { layers: Vec::new(), quads: Vec::new(), result: Impostors::default() };
+    let shared = earlier.iter().map(|sheet| sheet.shared_with(&world, &probes, progress));
+    let mut sheets = shared.collect::<Result<Vec<_>>>()?;
+    sheets.retain(|sheet| !sheet.quads.is_empty());
+    let shared = sheets.len();
+    let mut baked = Baked { layers: sheets.iter().map(|sheet| sheet.layer(&world)).collect(), sheets };
     baked.add(&world, places[0], size as usize, &probes, progress)?;
-    for n in 0..ROUND.min(settings.centers.saturating_sub(1) as usize) {
+    // Layers of an earlier bake stand for those of the circle. These would show more than the probes ask for, so the
+    // limit is lower without them.
+    let (round, allowed) = if shared > 0 { (0, 0.5 * settings.missing) } else { (ROUND, settings.missing) };
+    let round = round.min(settings.centers.saturating_sub(1) as usize);
+    for n in 0..round {
         baked.add(&world, around(reach, n, ROUND, 0.0), size as usize, &probes, progress)?;
     }
+    let mut shares = Vec::new();
     let total: usize = probes.iter().map(Probe::texels).sum();
     loop {
         let missing = probes.iter().map(|probe| probe.missing(&baked.layers, progress)).collect::<Result<Vec<_>>>()?;
         let share = missing.iter().sum::<usize>() as f64 / total as f64;
-        baked.result.missing.push(share);
-        if share <= settings.missing || baked.layers.len() >= settings.centers as usize {
+        shares.push(share);
+        let own = &baked.layers[shared..];
+        if share <= allowed || own.len() >= settings.centers as usize {
             break;
         }
         // No place is baked twice: groups that were too small for the first layer would be too small again.
-        let is_new = |n: &usize| baked.layers.iter().all(|layer| layer.center != probes[*n].position);
+        let is_new = |n: &usize| own.iter().all(|layer| layer.center != probes[*n].position);
         let others = (0..probes.len()).filter(|n| missing[*n] > 0).filter(is_new);
         // The first of equals, so that the choice does not depend on how probes are counted.
         let Some(worst) = others.max_by_key(|&n| (missing[n], std::cmp::Reverse(n))) else { break };
         baked.add(&world, probes[worst].position, size as usize, &probes, progress)?;
     }
     small::note_small(&world, &probes, progress)?;
-    baked.result.seen = world.seen.numbers().collect();
-    baked.result.mesh = atlas::build(&baked.quads, size as usize)?;
-    Ok(baked.result)
+    let (sheets, missing) = (baked.sheets, shares);
+    let layers: Vec<_> = sheets.iter().map(|sheet| ((sheet.center - eye).to_array(), sheet.quads.len())).collect();
+    let shared = layers[..shared].iter().map(|(_, count)| count).sum();
+    let (mesh, seen) = (atlas::build(&sheets, eye)?, world.seen.numbers().collect());
+    Ok(Impostors { mesh, layers, shared, sheets, missing, seen })
 }
 
 struct Baked {
     layers: Vec<Layer>,
-    quads: Vec<(DVec3, Quad)>,
-    result: Impostors,
+    sheets: Vec<Sheet>,
 }
 
 impl Baked {
@@ -157,16 +177,14 @@ impl Baked {
         let tile = |number: usize| {
             let tile = Tile::trace(world, center, size, place(number, size), &self.layers, probes);
             let covers = cover::cover(&tile);
-            let quads: Vec<Quad> = covers.iter().map(|cover| paint::paint(world, center, &tile, cover)).collect();
-            progress.report((SIDE * SIDE) as u64).map(|()| (LayerTile::new(&covers), quads))
+            let quads = covers.iter().map(|cover| Arc::new(paint::paint(world, center, &tile, cover)));
+            let quads: Vec<Arc<Quad>> = quads.collect();
+            progress.report((SIDE * SIDE) as u64).map(|()| quads)
         };
-        let tiles = (0..count).into_par_iter().map(tile).collect::<Result<Vec<_>>>()?;
-        let (tiles, quads): (Vec<_>, Vec<_>) = tiles.into_iter().unzip();
-        let offset = center - world.eye;
-        let before = self.quads.len();
-        self.quads.extend(quads.into_iter().flatten().map(|quad| (offset, quad)));
-        self.result.layers.push((offset.to_array(), self.quads.len() - before));
-        self.layers.push(Layer::new(world, center, size, tiles));
+        let quads = (0..count).into_par_iter().map(tile).collect::<Result<Vec<_>>>()?;
+        let sheet = Sheet { center, size, quads: quads.concat() };
+        self.layers.push(sheet.layer(world));
+        self.sheets.push(sheet);
         Ok(())
     }
 }

@@ -30,6 +30,8 @@ pub struct Quad {
     pub place: Place,
     /// Left, top, right and bottom in the tile, from −1 to `SIDE` + 1.
     pub rectangle: [isize; 4],
+    /// Texels that the quad was made for, as in `Cover`; the mask may be larger.
+    pub own: Vec<u16>,
     /// Object of most texels; −1 without one.
     pub object: i32,
     /// Columns and rows of cells.
@@ -90,7 +92,8 @@ pub fn paint(world: &World<'_>, center: DVec3, tile: &Tile, cover: &Cover) -> Qu
     });
     let cells = cells(&cover.plane, tile, rectangle);
     let object = object_of_most(world, tile, cover);
-    Quad { plane: cover.plane, place: tile.place, rectangle, object, cells, texels: texels.collect() }
+    let own = cover.texels.clone();
+    Quad { plane: cover.plane, place: tile.place, rectangle, own, object, cells, texels: texels.collect() }
 }
 
 /// Returns a painted texel, sharpened.

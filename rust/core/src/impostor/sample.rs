@@ -117,7 +117,7 @@ impl Tile {
     }
 
     /// Keeps the far surface in a texel.
-    fn set(&mut self, world: &World<'_>, bound: &Bound, center: DVec3, slot: usize, ray: &Ray, hit: Hit) {
+    pub(super) fn set(&mut self, world: &World<'_>, bound: &Bound, center: DVec3, slot: usize, ray: &Ray, hit: Hit) {
         let (u, v) = self.position(slot);
         let direction = direction_from_face(self.place.face, u, v);
         let (secant, unit) = (direction.length(), direction.normalize());

@@ -9,13 +9,13 @@ use super::paint::{Quad, sharpen};
 use super::plane::{Bound, Plane};
 use super::strips::cells;
 use super::tile::{Place, SIDE, Tile, WIDE, column_and_row};
-use super::world::{Seen, World};
-use super::{Impostors, Settings, atlas, bake};
+use super::world::{FarOnly, Seen, World};
+use super::{Impostors, Settings, Sheet, atlas, bake};
 use crate::base::{FaceMap, Progress};
 use crate::camera::{direction_from_face, face_from_direction};
 use crate::partition::Partition;
 use crate::scene::{Instance, Mesh, Scene};
-use crate::trace::{AcceptAll, Hit, closest_hits};
+use crate::trace::{AcceptAll, Hit, Ray, closest_hits};
 
 const R2: f64 = 20.0;
 const REACH: f64 = 4.0;
@@ -32,7 +32,7 @@ fn settings(size: u32) -> Settings {
 }
 
 fn baked(triangles: &[[[f32; 3]; 3]], size: u32) -> Impostors {
-    bake(&scene(triangles), &settings(size), &Progress::new()).unwrap()
+    bake(&scene(triangles), &settings(size), &[], &Progress::new()).unwrap()
 }
 
 /// Two triangles of a wall with its normal along z.
@@ -87,7 +87,10 @@ proptest! {
         let tile = Tile::blank(place, size);
         let cells = cells(&plane, &tile, rectangle);
         let texels = vec![[0; 4]; (sides[0] * sides[1]) as usize];
-        let mesh = atlas::build(&[(center, Quad { plane, place, rectangle, object: 0, cells, texels })], size).unwrap();
+        let mesh = {
+            let quads = vec![Arc::new(Quad { plane, place, rectangle, own: vec![], object: 0, cells, texels })];
+            atlas::build(&[Sheet { center, size, quads }], DVec3::ZERO).unwrap()
+        };
         let [s, t] = if weights[0] + weights[1] > 1.0 { weights.map(|w| 1.0 - w) } else { weights };
         for face in &mesh.faces {
             let mix = |values: [[f64; 3]; 3]| DVec3::from_array(values[0]) * (1.0 - s - t) + DVec3::from_array(values[1]) * s + DVec3::from_array(values[2]) * t;
@@ -142,6 +145,72 @@ proptest! {
     }
 }
 
+/// Random far triangles as two regions see them, with the distances by definition.
+#[test]
+fn shared_quads_show_all_their_texels_within_the_bound_of_the_other_region() {
+    let (mut state, mut counts) = (1u64, [0, 0]);
+    for _ in 0..20 {
+        let mut number = |low: f64, high: f64| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            low + (high - low) * (state >> 11) as f64 / (1u64 << 53) as f64
+        };
+        let mut point = || {
+            let (turn, distance) = (number(0.0, std::f64::consts::TAU), number(1.0, 5.0) * R2);
+            [(distance * turn.cos()) as f32, number(-0.5, 0.8) as f32 * distance as f32, (distance * turn.sin()) as f32]
+        };
+        let triangles: Vec<_> = (0..12).map(|_| [point(), point(), point()]).collect();
+        let (scene, size, step) = (scene(&triangles), 128, DVec3::new(1.7 * REACH, 0.0, 0.0));
+        let (here, there) = (settings(size), Settings { center: settings(size).center + step, ..settings(size) });
+        let first = bake(&scene, &here, &[], &Progress::new()).unwrap();
+        let second = bake(&scene, &there, &first.sheets, &Progress::new()).unwrap();
+        assert!(second.missing.last().unwrap() <= &5e-4, "{:?}", second.missing);
+        let partition = Partition::new(&scene, there.center, 0.0, R2, &Progress::new()).unwrap();
+        let far_of = |center: DVec3, direction: DVec3| {
+            let ray = Ray { origin: center.as_vec3(), direction: direction.as_vec3(), t_min: 0.0, t_max: f32::INFINITY };
+            let mut hits = [Hit::MISS];
+            closest_hits(&scene, &[ray], &FarOnly(&partition), &mut hits);
+            (!hits[0].is_miss()).then(|| center + direction * f64::from(hits[0].t))
+        };
+        let mut left = second.shared;
+        for sheet in &second.sheets {
+            for quad in &sheet.quads[..sheet.quads.len().min(left)] {
+                left -= 1;
+                counts[0] += 1;
+                for &texel in &quad.own {
+                    let (column, row) = column_and_row(texel);
+                    let tile = Tile::blank(quad.place, sheet.size);
+                    let (u, v) = (tile.u(column), tile.v(row));
+                    let at = direction_from_face(quad.place.face, u, v);
+                    let shown = sheet.center + at / quad.plane.w(u, v);
+                    let truth = far_of(sheet.center, at.normalize()).unwrap();
+                    for n in 0..8 {
+                        let turn = f64::from(n) * 0.25 * std::f64::consts::PI;
+                        let user = there.center + REACH * DVec3::new(turn.cos(), 0.0, turn.sin());
+                        let [a, b] = [truth, shown].map(|point| point - user);
+                        assert!(a.cross(b).length().atan2(a.dot(b)) <= ANGLE * (1.0 + 1e-4));
+                    }
+                }
+            }
+        }
+        counts[1] += first.sheets.iter().map(|sheet| sheet.quads.len()).sum::<usize>();
+    }
+    // Most quads can be used again, but not all: some show what is near there, or are too inexact for it.
+    assert!(2 * counts[0] > counts[1] && counts[0] < counts[1], "{counts:?}");
+}
+
+#[test]
+fn a_region_beside_a_plane_wall_needs_few_new_quads() {
+    let walls = scene(&wall([-400.0, 400.0], [-300.0, 300.0], -60.0));
+    let [here, there] = [0.0, 6.0].map(|x| Settings { center: DVec3::new(x, 1.7, 0.0), ..settings(64) });
+    let first = bake(&walls, &here, &[], &Progress::new()).unwrap();
+    let second = bake(&walls, &there, &first.sheets, &Progress::new()).unwrap();
+    assert_eq!(first.shared, 0);
+    // New ones show the border of the wall only, whose texels are larger there.
+    let texels: Vec<_> = second.sheets.iter().flat_map(|sheet| &sheet.quads).map(|quad| quad.own.len()).collect();
+    let (shared, new) = texels.split_at(second.shared);
+    assert!(50 * new.iter().sum::<usize>() < shared.iter().sum::<usize>(), "{texels:?}");
+}
+
 #[test]
 fn walls_hidden_from_the_center_are_shown() {
     // A near wall hides the far one from O; users beside O see past both ends. The third wall is seen by nobody.
@@ -160,7 +229,7 @@ fn surfaces_that_only_lower_eyes_see_are_shown() {
     // A slab ends 5 cm below O. From O a user sees the wall behind it up to 1.45 m, from 10 cm below O up to 1.85 m.
     let triangles = [wall([-50.0, 50.0], [1.65, 50.0], -0.6), wall([-1.0, 1.0], [-20.0, 20.0], -3.0)].concat();
     let settings = Settings { reach: 0.2, height: 0.1, r2: 1.0, ..settings(256) };
-    let found = bake(&scene(&triangles), &settings, &Progress::new()).unwrap();
+    let found = bake(&scene(&triangles), &settings, &[], &Progress::new()).unwrap();
     let top = found.mesh.positions.iter().map(|p| p[1]).fold(f32::NEG_INFINITY, f32::max) + 1.7;
     assert!(top > 1.8, "{top}");
 }
@@ -227,7 +296,7 @@ fn invalid_settings_are_named() {
         ("angle", Settings { angle: 0.0, ..valid }),
         ("angle", Settings { angle: 0.5, ..valid }),
     ] {
-        let error = bake(&scene, &settings, &Progress::new()).unwrap_err();
+        let error = bake(&scene, &settings, &[], &Progress::new()).unwrap_err();
         assert!(error.to_string().starts_with(name), "{error}");
     }
 }

@@ -40,7 +40,7 @@ impl Texel {
 }
 
 /// Place of a tile on the faces of a cube.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Place {
     /// Face.
     pub face: u8,

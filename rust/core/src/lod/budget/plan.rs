@@ -42,7 +42,8 @@ pub(super) struct Filling {
     sufficient: u64,
     /// The first step that does not fit; `None` if all fit.
     pub first_without_room: Option<Step>,
-    /// Most that all steps can gain, known once a step does not fit: a share of this step would spend the budget.
+    /// Upper bound of `gain`: that of the steps before the first one without room, plus the share of it that fits. 0
+    /// until a step does not fit.
     greatest_gain: f64,
     pub gain: f64,
     levels: Vec<(u32, u16)>,
@@ -68,7 +69,7 @@ impl Filling {
                 continue;
             }
             if step.triangles > self.remaining {
-                if self.stopped.is_empty() {
+                if self.first_without_room.is_none() {
                     self.first_without_room = Some(*step);
                     self.greatest_gain = self.gain + step.gain * self.remaining as f64 / step.triangles as f64;
                 }
@@ -269,13 +270,29 @@ impl Plan<'_> {
             filling.take(&self.steps_between(lowest, highest)?);
             self.fill_from(lowest - 1, &mut filling)?;
         }
+        let step = filling.first_without_room.filter(|_| self.is_far_from_greatest(&filling));
+        let bought = self.purchase(highest, budget, score, filling);
+        let Some(step) = step else { return Ok(bought) };
+        let first_taken = self.buy_step_first(&step, budget)?;
+        Ok(first_taken.filter(|other| self.is_better(other, &bought, &step)).unwrap_or(bought))
+    }
+
+    /// Returns the purchase after a filling, at the price of the first step that does not fit.
+    fn purchase(&self, price_class: u16, budget: u64, score: f64, filling: Filling) -> Purchase {
         let price = filling.first_without_room.map_or(0.0, |step| step.slope) / self.rater.scale;
-        let first_taken = match filling.first_without_room {
-            Some(step) if self.is_far_from_greatest(&filling) => self.buy_step_first(&step, price, budget)?,
-            _ => None,
-        };
-        let bought = Purchase::new(price, highest, budget, score, filling);
-        Ok(first_taken.filter(|other| other.score > bought.score).unwrap_or(bought))
+        Purchase::new(price, price_class, budget, score, filling)
+    }
+
+    /// Returns whether a choice with a step is better than one without it. The choice that keeps the object's previous
+    /// level is, unless the other one gains more by the share `hysteresis`.
+    fn is_better(&self, with: &Purchase, without: &Purchase, step: &Step) -> bool {
+        let [with, without] = [with, without].map(|choice| choice.score - self.ratings.ledger.first_score);
+        let held = 1.0 + self.rater.hysteresis;
+        match self.rater.objects.previous.map(|previous| previous[step.object as usize]) {
+            None | Some(..0) => with > without,
+            Some(level) if level <= self.rater.ladder(step.object).level[usize::from(step.to)] => with * held > without,
+            Some(_) => with > without * held,
+        }
     }
 
     /// Returns whether the mean score may be lower by more than `WORTH_A_STEP` than that of the best choice. This
@@ -286,7 +303,7 @@ impl Plan<'_> {
 
     /// Buys an object's steps up to the given one, and then those of the others in order; `None` if the budget does not
     /// suffice.
-    fn buy_step_first(&self, step: &Step, price: f64, budget: u64) -> Result<Option<Purchase>> {
+    fn buy_step_first(&self, step: &Step, budget: u64) -> Result<Option<Purchase>> {
         // Triangles and gain of the object's own steps that are not in the sums above a class.
         let own = |class: u16| -> Result<(u64, f64)> {
             let steps = self.steps(vec![step.object], NEVER + 1..=class, |own| own.to >= step.to)?;
@@ -307,7 +324,7 @@ impl Plan<'_> {
         filling.levels.push((step.object, step.to));
         filling.stopped.insert(step.object);
         self.fill_from(high, &mut filling)?;
-        Ok(Some(Purchase::new(price, high, budget, score, filling)))
+        Ok(Some(self.purchase(high, budget, score, filling)))
     }
 
     /// Writes the levels. Counts the objects decided by culling, by a model with one level, and by the price.

@@ -17,7 +17,7 @@ pub(super) struct Rater<'a> {
     pub choice: Choice,
     /// Power of 2 by which slopes are multiplied, so that no weight exceeds 1.
     pub scale: f64,
-    hysteresis: f64,
+    pub hysteresis: f64,
     floor: Option<f64>,
 }
 
