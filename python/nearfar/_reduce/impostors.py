@@ -199,17 +199,8 @@ class Impostors(Renderable):
             )
         if published._boundary != "r2" or published.partition.unit != "triangle":
             raise ValueError("published: expected boundary 'r2' and unit 'triangle', got other ones")
-        contents = folder.Contents(
-            self.near,
-            published.env,
-            self.center,
-            published.r1,
-            published.r2,
-            published.morph,
-            "r2",
-            published._counts,
-            impostors=self._document(),
-        )
+        parts = (self.near, published.env, self.center, published.r1, published.r2, published.morph)
+        contents = folder.Contents(*parts, "r2", published._counts, impostors=self._document())
         extra: dict[str, bytes] = {}
         lost: tuple[str, ...] = ()
         if self.triangle_count:
