@@ -225,7 +225,7 @@ def draw_curves(results: dict[str, list[Result]], path: Path) -> None:
     grid[0, 0].set_ylabel("PSNR, dB")
     grid[1, 0].set_ylabel("FLIP (0 is equal)")
     handles, labels = grid[0, 0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside lower center", ncols=5, fontsize=8)
+    figure.legend(handles, labels, loc="outside lower center", ncols=len(results) + 1, fontsize=8)
     save_figure(figure, path)
 
 
