@@ -1,7 +1,7 @@
-"""Makes the pictures of the README: `python scripts/pictures.py [city] [tokyo] [curve] [lod]`, into docs/.
+"""Makes the pictures of the README: `python -m scripts.pictures [city] [tokyo] [curve] [lod]`, into docs/.
 
-City and Tokyo show truth, conventional and continuous method from one eye, and below an enlarged part of each; the city
-also with the r₁ chosen by the ground.
+City and Tokyo show truth, conventional and continuous method from one eye: the city also impostors, and Tokyo an
+enlarged part of each.
 """
 
 from __future__ import annotations
@@ -24,6 +24,7 @@ COLUMN = 480
 R1, R2 = 30.0, 50.0
 
 Box = tuple[float, float, float, float]
+Point = tuple[float, float, float]
 
 
 def main() -> None:
@@ -34,10 +35,7 @@ def main() -> None:
         city = nf.datasets.city()
         eye, _ = nf.datasets.street_view()
         if "city" in requested:
-            user = (eye[0] - 8.0, eye[1], eye[2])
-            target = (user[0], user[1] + 6.0, user[2] - 40.0)
-            chosen_r1 = nf.choose_radii(city, eye, r2=R2).r1
-            compare("city", city, eye, user, target, (0.56, 0.22, 0.86, 0.72), chosen_r1=chosen_r1)
+            draw_city(city, eye)
         if "curve" in requested:
             save_curve(DOCS, nf.load_curve(city, center=eye), R2)
     if "tokyo" in requested:
@@ -49,17 +47,32 @@ def main() -> None:
         draw_lod(DOCS / "lod.png")
 
 
-def compare(
-    name: str,
-    scene: nf.Scene,
-    center: tuple[float, float, float],
-    user: tuple[float, float, float],
-    target: tuple[float, float, float],
-    part: Box,
-    *,
-    chosen_r1: float | None = None,
-) -> None:
-    """Render the pictures side by side, with an enlarged part of each below; the last one with another r₁ if given."""
+def draw_city(city: nf.Scene, center: Point) -> None:
+    """Draw the city for a user 8 m beside the centre: truth, both published methods, and impostors."""
+    user = (center[0], center[1], center[2] - 8.0)
+    fov = nf.Fov.symmetric(90, SIZE[0] / SIZE[1])
+    view = nf.Camera.look_at(user, np.add(user, (-40.0, 5.3, 0.0)), fov=fov, size=SIZE)
+    reduced = nf.reduce(city, center=center, r1=R1, r2=R2, face_size=2048, samples=2)
+    impostors = nf.reduce(city, center=center, r2=R2, far="impostors")
+    counts = (f"{impostors.triangle_count:,} triangles", f"{impostors.stats['triangles']:,} of them textured quads")
+    sources: dict[str, nf.Renderable] = {
+        f"the whole city: {city.triangle_count:,} triangles": city,
+        f"conventional: {reduced.stats['drawn']:,} triangles and a cube map": reduced.with_morph("none"),
+        "continuous: the same, joined by a morph": reduced,
+        "impostors: " + ", ".join(counts): impostors,
+    }
+    cells = []
+    for text, source in sources.items():
+        whole = Image.fromarray(nf.render(source, view, samples=8, channels=("color",)).to_image())
+        small = whole.resize((SIZE[0] // 2, SIZE[1] // 2), Image.Resampling.LANCZOS)
+        cells.append(caption(np.asarray(small), text))
+    gap = np.full((len(cells[0]), 6, 3), 255, np.uint8)
+    rows = [np.concatenate([cells[n], gap, cells[n + 1]], axis=1) for n in (0, 2)]
+    Image.fromarray(np.concatenate(rows)).save(DOCS / "city.jpg", quality=86, optimize=True)
+
+
+def compare(name: str, scene: nf.Scene, center: Point, user: Point, target: Point, part: Box) -> None:
+    """Render the pictures side by side, with an enlarged part of each below."""
     view = nf.Camera.look_at(user, target, fov=nf.Fov.symmetric(90, SIZE[0] / SIZE[1]), size=SIZE)
     reduced = nf.reduce(scene, center=center, r1=R1, r2=R2, face_size=2048, samples=2)
     sources: dict[str, nf.Scene | nf.ReducedScene] = {
@@ -67,11 +80,6 @@ def compare(
         f"conventional: {reduced.stats['drawn']:,} and a map": reduced.with_morph("none"),
         f"continuous: {reduced.stats['drawn']:,} and a map": reduced,
     }
-    if chosen_r1 is not None:
-        sources = {
-            **sources,
-            f"the same, near zone of {chosen_r1:.1f} m instead of {R1:g} m": reduced.with_r1(chosen_r1),
-        }
     frames = {text: nf.render(source, view, samples=8, channels=("color",)) for text, source in sources.items()}
     columns = [column(frame.to_image(), text, part) for text, frame in frames.items()]
     gap = np.full((len(columns[0]), 6, 3), 255, np.uint8)
@@ -90,7 +98,7 @@ def column(picture: NDArray[np.uint8], text: str, part: Box) -> NDArray[np.uint8
     return np.concatenate([caption(np.asarray(small), text), gap, np.asarray(large)])
 
 
-def point(values: NDArray[np.float64]) -> tuple[float, float, float]:
+def point(values: NDArray[np.float64]) -> Point:
     """A position as three numbers."""
     x, y, z = (float(value) for value in values)
     return x, y, z
