@@ -17,7 +17,7 @@ from scipy.spatial import cKDTree
 
 import nearfar as nf
 from benchmarks.harness.report import folder_or_temporary, start, table
-from benchmarks.impostor.quality import Case, cases
+from benchmarks.impostor.quality import Case, bake, cases
 from benchmarks.impostor.texels import Floats, Texels, angle
 from nearfar._impostor.bake import PIXELS_PER_DEGREE
 
@@ -91,7 +91,7 @@ def _errors(
 
 def row(case: Case, count: int, folder: Path) -> list[Any]:
     """Bake, save and measure a case."""
-    impostors = nf.reduce(case.scene, far="impostors", center=case.center, r2=case.r2, **case.settings)
+    impostors = bake(case.scene, case.center, case.r2, nf.ImpostorSettings(**case.settings))
     path = folder / "far.glb"
     impostors.save_glb(path, part="far", textures="png")
     found = errors(Texels(case.scene, impostors), path, count)

@@ -17,7 +17,7 @@ import nearfar as nf
 from benchmarks.harness import scenes
 from benchmarks.harness.report import start, table
 from benchmarks.harness.views import Point, center_for
-from benchmarks.impostor.quality import Case, cases
+from benchmarks.impostor.quality import Case, bake, cases
 from benchmarks.impostor.texels import AROUND, Floats, Mask, Texels, texel_coordinates
 from benchmarks.reduce import dynamic
 from benchmarks.reduce.tear import REACH, views
@@ -101,7 +101,7 @@ def baked_points(texels: Texels, quad: NDArray[np.int64], places: Floats) -> Flo
 def tears(case: Case, count: int) -> list[list[Any]]:
     """Rows: tear along r₂ and where geometry and quads adjoin, means over all pixels of all views."""
     cylinder: dict[str, Any] = {"center": case.center, "radius": case.r2}
-    impostors = nf.reduce(case.scene, far="impostors", center=case.center, r2=case.r2, **case.settings)
+    impostors = bake(case.scene, case.center, case.r2, nf.ImpostorSettings(**case.settings))
     texels, sums, used = Texels(case.scene, impostors), np.zeros((3, 2)), 0
     worst = 0.0
     for camera in views(case.center, 7, impostors.reach):
@@ -201,7 +201,7 @@ def disparities(
 
 def disparity(name: str, scene: nf.Scene, center: Point, users: int, size: int) -> list[Any]:
     """Row: disparity of both eyes of users at half to full reach who look at surfaces some 60 m away."""
-    impostors = nf.reduce(scene, far="impostors", center=center, reach=REACH, r2=R2, face_size=size)
+    impostors = bake(scene, center, R2, nf.ImpostorSettings(reach=REACH, face_size=size))
     draw = np.random.default_rng(3)
     found: list[tuple[float, float, float]] = []
     for _ in range(users):

@@ -15,7 +15,7 @@ import nearfar as nf
 from benchmarks.harness import tokyo
 from benchmarks.harness.report import save_figure, start, subplots, table
 from benchmarks.harness.views import Point, center_for
-from benchmarks.impostor.quality import CITY, R2
+from benchmarks.impostor.quality import CITY, R2, bake
 
 CITIES = ((2, 1), (6, 1), (12, 1), (8, 2), (12, 2), (24, 2))
 """Blocks and level of detail: 0.05 to 29 million triangles."""
@@ -47,11 +47,10 @@ def row(name: str, blocks: int, detail: int, size: int) -> list[Any] | None:
     if (found := place(name, blocks, detail)) is None:
         return None
     scene, center = found
-    options: dict[str, Any] = {"center": center, "r2": R2, "centers": 7}
-    nf.reduce(scene, far="impostors", **{**options, "face_size": 64, "centers": 1})
+    bake(scene, center, R2, nf.ImpostorSettings(face_size=64, centers=1))
     reset_peak()
     before, since = memory("VmRSS"), time.process_time()
-    baked = nf.reduce(scene, far="impostors", **options, face_size=size)
+    baked = bake(scene, center, R2, nf.ImpostorSettings(face_size=size, centers=7))
     seconds, growth = time.process_time() - since, memory("VmHWM") - before
     stats = baked.stats
     return [name, scene.triangle_count / 1e6, size, stats["texels"] / 1e6, stats["triangles"], seconds, growth / 1e6]

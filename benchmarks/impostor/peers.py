@@ -16,10 +16,10 @@ import nearfar as nf
 from benchmarks.harness import scenes
 from benchmarks.harness.report import folder_or_temporary, save_figure, start, subplots, table
 from benchmarks.harness.views import center_for
+from benchmarks.impostor import quality
 from benchmarks.impostor.methods import maps, measures, meshes, octahedral, orthoviews, place as places
 from benchmarks.impostor.methods.measures import Measures
 from benchmarks.impostor.methods.place import Method, Place
-from benchmarks.impostor.quality import ring
 from nearfar.cli._page import caption
 
 DISTANCES = (0.25, 1.0, 4.0, 8.0)
@@ -34,7 +34,7 @@ CELLS = (1.0,)
 def bake(place: Place, reach: float) -> nf.Impostors:
     """Bake impostors; the only place that knows their call."""
     settings = nf.ImpostorSettings(reach=reach, visible=False, **place.baking)
-    return nf.reduce(place.scene, center=place.center, r2=place.r2, far="impostors", settings=settings)
+    return quality.bake(place.scene, place.center, place.r2, settings)
 
 
 def spots(quick: bool, size: tuple[int, int], count: int, only: list[str]) -> Iterator[Place]:
@@ -92,7 +92,7 @@ def _with_users(place: Place, distances: tuple[float, ...], size: Size, count: i
     fov = nf.Fov.symmetric(FIELD, size[0] / size[1])
     users = {}
     for number, distance in enumerate(distances):
-        cameras = ring(place.scene, place.center, distance, size, count + number)
+        cameras = quality.ring(place.scene, place.center, distance, size, count + number)
         chosen = cameras[number:] or cameras[-count:]
         if chosen:
             users[distance] = [nf.Camera(user.position, user.orientation, fov=fov, size=size) for user in chosen]

@@ -143,10 +143,11 @@ def check_ranges(
     apart = [replace(shape, distance=max(shape.distance, share * 1.2 + 0.8 * shape.size)) for shape in shapes]
     scene = scene_of(apart, r2, has_ground=has_ground)
     center = (0.0, 0.5 * r2 * (share + 0.1), 0.0)
-    baked = bake(scene, center=center, reach=reach, r2=r2, face_size=128, centers=7, error_px=error_px)
+    options: dict[str, Any] = {"reach": reach, "r2": r2, "face_size": 128, "centers": 7, "error_px": error_px}
+    baked = bake(scene, center=center, **options)
     sides = [(np.cos(turn), 0.0, np.sin(turn)), (-0.6 * np.cos(turn), 0.8, 0.0), (0.0, -0.5, np.sin(turn))]
     if step:
-        baked = baked.recentered(np.add(center, (step * reach, 0.0, 0.0))).result()
+        baked = bake(scene, center=np.add(center, (step * reach, 0.0, 0.0)), earlier=baked, **options)
     found = [
         compare(scene, baked, np.add(baked.center, reach * np.array(side)), turn + 2.0 * k, 32)
         for k, side in enumerate(sides)

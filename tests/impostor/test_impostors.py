@@ -14,6 +14,7 @@ import nearfar as nf
 from tests.support import printed_by_threads
 from tests.support.card_cases import Card
 from tests.support.impostor_cases import CENTER, SETTINGS, view
+from tests.support.reduce_cases import box
 
 SMALL: dict[str, Any] = {**SETTINGS, "face_size": 128, "centers": 7}
 
@@ -62,6 +63,32 @@ def test_a_budget_increases_the_error_and_then_drops_the_least_visible_quads(sce
     np.testing.assert_array_equal(np.sort(all_quads.texels)[::-1][: len(kept)], np.sort(kept.texels)[::-1])
     drawn = {tuple(corner) for corner in np.asarray(kept.vertices).tolist()}
     assert drawn < {tuple(corner) for corner in np.asarray(all_quads.vertices).tolist()}
+
+
+def test_few_large_far_triangles_that_users_see_stay_geometry() -> None:
+    build = nf.SceneBuilder()
+    for low, high in (((-8.0, 0.0, -5.0), (-7.0, 3.0, -4.0)), ((-40.0, 0.0, -31.0), (40.0, 30.0, -30.0))):
+        corners, sides = box(low, high)
+        build.instance(
+            build.mesh(corners, sides, material=build.material((0.6, 0.3, 0.2, 1.0))), name=f"wall_{low[0]:g}"
+        )
+    # Only users beside the wall would see the ball behind it.
+    ball = trimesh.creation.icosphere(subdivisions=4, radius=5.0)
+    mesh = build.mesh(np.add(ball.vertices, (0.0, 8.0, -60.0)), ball.faces, material=build.material((1, 0, 0, 1)))
+    build.instance(mesh, name="ball")
+    scene, place = build.build(), (0.0, 1.7, 0.0)
+    options: dict[str, Any] = {"far": "impostors", "center": place, "r2": 20.0, "reach": 4.0, "face_size": 128}
+    kept = nf.reduce(scene, **options)
+    assert kept.far is None
+    assert kept.triangle_count <= 24
+    assert "stay geometry" in kept.reason
+    user = view(np.add(place, (3.0, 0.5, -2.0)))
+    truth, shown = (nf.render(source, user, channels=("color", "range")) for source in (scene, kept))
+    np.testing.assert_array_equal(truth.to_image(), shown.to_image())
+    # Quads show the ball's side with fewer triangles than it has.
+    aside = nf.reduce(scene, **{**options, "center": (0.0, 1.7, -46.0), "r2": 5.0})
+    assert aside.far is not None
+    assert nf.reduce(scene, **options, visible=False).far is not None
 
 
 def test_poses_reach_the_published_picture_the_next_centre_and_the_folder(scene: nf.Scene, tmp_path: Path) -> None:

@@ -49,10 +49,15 @@ def yard(at: tuple[float, float, float] = (0.0, 0.0, 0.0), *, copies: int = 20) 
     return build.build(dynamic=["car"])
 
 
-def bake(scene: nf.Scene, *, center: ArrayLike, r2: float, **settings: Any) -> nf.Impostors:
-    """Bake impostors as `nf.reduce` does, also of scenes with so few triangles that it would keep them as they are."""
+def bake(
+    scene: nf.Scene, *, center: ArrayLike, r2: float, earlier: nf.Impostors | None = None, **settings: Any
+) -> nf.Impostors:
+    """Bake impostors as `nf.reduce` does, also of scenes with so few triangles that it would keep them as they are.
+
+    With `earlier`, as the next region of a walk.
+    """
     place = check.vector("center", center)
-    return reduce_to_impostors(scene, place, r2, ImpostorSettings(**settings), may_keep=False)
+    return reduce_to_impostors(scene, place, r2, ImpostorSettings(**settings), may_keep=False, earlier=earlier)
 
 
 def view(user: NDArray[np.float64], turn: float = 0.0, size: tuple[int, int] = SIZE) -> nf.Camera:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -55,6 +55,8 @@ class Baked:
     """Share of the probes' pixels that are missing."""
     sheets: _core.ImpostorSheets | None = None
     """Quads that the bake of another region can use again."""
+    far: NDArray[np.int64] = field(default_factory=lambda: np.empty(0, np.int64))
+    """Numbers of the far triangles that rays from the region hit, ascending."""
 
     @property
     def far_count(self) -> int:
@@ -84,21 +86,41 @@ def bake(
     }
     with progress.bar("baking impostors") as report:
         baked = _core.bake_impostors(zones.scene._core, arguments, earlier=earlier, report=report)
+    far = np.setdiff1d(baked["seen"], near, assume_unique=True)
     if settings.visible:
         is_moving = near >= zones.scene._core.standing_triangle_count
         near = near[is_moving | np.isin(near, baked["seen"], assume_unique=True)]
     quads = Quads.from_kernel(baked)
-    return Baked(near, quads if len(quads) else None, settings, float(baked["missing"][-1]), baked["sheets"])
+    return Baked(near, quads if len(quads) else None, settings, float(baked["missing"][-1]), baked["sheets"], far)
 
 
 def changed_share(zones: Partition, region: Region, baked: Baked) -> float:
-    """Return the share of the pixels of users within a region that show a near triangle which was dropped.
+    """Return the share of the pixels of users within a region that show a near triangle which was dropped."""
+    dropped = np.setdiff1d(zones.nsf, baked.near, assume_unique=True)
+    return float(np.isin(_shown_triangles(zones, region, baked), dropped).mean()) if len(dropped) else 0.0
+
+
+def as_geometry(zones: Partition, region: Region, baked: Baked) -> Baked | None:
+    """Return the near triangles and the far ones that rays hit, without quads, if they are no more than the quads'.
+
+    `missing` is the share of the pixels of users within the region that show another triangle. None if that is more
+    than the share that quads may miss.
+    """
+    if not baked.settings.visible or not 0 < len(baked.far) <= baked.far_count:
+        return None
+    part = np.union1d(baked.near, baked.far)
+    shown = _shown_triangles(zones, region, baked)
+    missing = float(((shown >= 0) & ~np.isin(shown, part)).mean())
+    if missing > baked.settings.missing:
+        return None
+    return replace(baked, near=part, quads=None, missing=missing, sheets=None)
+
+
+def _shown_triangles(zones: Partition, region: Region, baked: Baked) -> NDArray[np.int64]:
+    """Return the triangle that each pixel of users within a region shows; −1 for the sky.
 
     The users stand all around O, at several distances and heights, and look in all directions.
     """
-    dropped = np.setdiff1d(zones.nsf, baked.near, assume_unique=True)
-    if not len(dropped):
-        return 0.0
     rays = np.arange(_CHECKED_RAYS) + 0.5
     rise, turn = 1.0 - 2.0 * rays / _CHECKED_RAYS, rays * _GOLDEN
     width = np.sqrt(1.0 - rise**2)
@@ -110,4 +132,4 @@ def changed_share(zones: Partition, region: Region, baked: Baked) -> float:
     angles = np.arange(_CHECKED_USERS) * _GOLDEN
     offsets = np.column_stack([distances * np.cos(angles), heights, distances * np.sin(angles)])
     shown = [cast_rays(zones.scene, np.add(region.center, offset), directions).triangle_index for offset in offsets]
-    return float(np.isin(shown, dropped).mean())
+    return np.concatenate(shown)

@@ -48,6 +48,13 @@ class Budget:
             baked = self._reduce_bytes(baked, self._settings.bytes)
         return baked
 
+    def as_geometry(self, baked: Baked) -> Baked | None:
+        """Return a bake with the far triangles that users see instead of quads, if that takes no more bytes."""
+        geometry = bake.as_geometry(self._zones, self._region, baked)
+        if geometry is None or self._file_size(geometry) > self._file_size(baked):
+            return None
+        return geometry
+
     def _bake(self, settings: ImpostorSettings) -> Baked:
         self.bakes += 1
         self.dropped = (0, 0)

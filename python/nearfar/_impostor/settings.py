@@ -50,7 +50,8 @@ class ImpostorSettings:
         larger, `face_size` falls and `error_px` grows, by at most four more bakes; then quads are dropped as above.
     visible
         True drops near static triangles that no user sees, as far as the rays of the bake tell. `stats["changed"]` is
-        the share of the pixels of other users within `reach` that this changes.
+        the share of the pixels of other users within `reach` that this changes. Far triangles that users see then stay
+        geometry instead of quads if they are no more and take no more bytes.
     """
 
     reach: float | None = None

@@ -94,7 +94,8 @@ def reduce(
     far
         "map": a `ReducedScene`. "impostors": an `Impostors`, of a Scene only. These take `center`, `r2` and `settings`;
         `center` is the middle of a sphere of users, and r2 must exceed its radius `reach`. Dynamic objects stay
-        geometry at any distance, and so do triangles that reach inside r2.
+        geometry at any distance, and so do triangles that reach inside r2, and all far triangles that users see if they
+        are fewer than those of quads and take fewer bytes.
     morph
         "blend" (Popescu et al. 2022) and "cylinder" (CloVR 2024, points keep their distance from the axis) are
         continuous. "none" is the conventional method, whose picture breaks at the end of the near part.

@@ -90,8 +90,9 @@ def impostor_parts(
 ) -> dict[str, Any]:
     """Partition a scene and bake impostors of its far part; return arguments of `Impostors`, and `notes` by name.
 
-    `r2` is checked. A scene stays as it is if impostors would have as many triangles, unless bytes are limited; without
-    `may_keep` it gets them all the same. Quads of an `earlier` bake of the scene are used again where they keep the
+    `r2` is checked. A scene stays as it is if impostors would have as many triangles, unless bytes are limited, and far
+    triangles that users see stay if quads would have as many and take as many bytes; without `may_keep` it gets
+    impostors all the same. Quads of an `earlier` bake of the scene are used again where they keep the
     bound. ValueError for a centre out of range, and a reach that is not less than r2.
     """
     reach = min(default_radii.REACH, 0.5 * r2) if settings.reach is None else settings.reach
@@ -112,7 +113,12 @@ def impostor_parts(
         note = f"impostors would have {baked.far_count:,} triangles, so the {scene.triangle_count:,} of the scene stay"
         return facts | _whole(scene, counts | {"bakes": budget.bakes}, note)
     notes = {}
-    if quads is None:
+    geometry = budget.as_geometry(baked) if may_keep and quads is not None else None
+    if geometry is not None:
+        facts_of_far = f"the {len(baked.far):,} far triangles that users see stay geometry"
+        notes = {"far": f"{facts_of_far}; textured quads would have {baked.far_count:,}"}
+        baked, quads, budget.dropped = geometry, None, (0, 0)
+    elif quads is None:
         is_cut = budget.dropped[0] > 0
         notes = {"far": "the budget leaves none" if is_cut else f"no static triangle beyond {r2:g} m is seen"}
     near = scene.subset(triangles=baked.near)

@@ -275,9 +275,9 @@ def _far_text(document: dict[str, Any]) -> str:
     impostors = document["impostors"]
     if impostors is None:
         return f"a cube map of 6 × {document['face_size']}² texels ({map_text(document)})"
-    if not impostors["quads"]:
-        return "no quads"
     size = bytes_text(document["sizes"]["impostors"]["bytes"])
+    if not impostors["quads"]:
+        return f"no quads, only geometry (light.glb: {size})"
     quads = f"{impostors['quads']:,} textured quads of {impostors['triangles']:,} triangles"
     return f"{quads} (light.glb: {size})"
 

@@ -75,7 +75,7 @@ pub struct Impostors {
     pub sheets: Vec<Sheet>,
     /// Share of the probes' pixels missing before each layer was chosen, and at the end.
     pub missing: Vec<f64>,
-    /// Numbers of the static triangles that are not far as a whole and that users of the region see, ascending.
+    /// Numbers of the static triangles that users of the region see, ascending.
     pub seen: Vec<i64>,
 }
 

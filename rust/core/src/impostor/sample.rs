@@ -68,6 +68,7 @@ impl Tile {
         for ((&slot, ray), hit) in hidden.iter().zip(&behind).zip(hits) {
             let point = || ray.origin.as_dvec3() + ray.direction.as_dvec3() * f64::from(hit.t);
             if !hit.is_miss() && probes.iter().any(|probe| probe.sees(point())) {
+                world.insert(hit.instance, hit.face);
                 self.set(world, &bound, center, slot, ray, hit);
             }
         }

@@ -32,7 +32,7 @@ pub struct World<'a> {
     pub reach: f64,
     /// Greatest error, radians.
     pub angle: f64,
-    /// Near triangles that users of the region see.
+    /// Triangles that users of the region see.
     pub seen: Seen,
 }
 
@@ -80,21 +80,20 @@ impl World<'_> {
         !hit.is_miss() && self.partition.zone(hit.instance, hit.face) == Zone::Far
     }
 
-    /// Returns whether a hit of a ray from the region is far, and notes the triangle as seen if it is near.
+    /// Notes the triangle that a ray from the region hits as seen, and returns whether it is far.
     pub fn note(&self, hit: &Hit) -> bool {
-        let is_far = self.is_far(hit);
-        if !is_far && !hit.is_miss() {
+        if !hit.is_miss() {
             self.insert(hit.instance, hit.face);
         }
-        is_far
+        self.is_far(hit)
     }
 
-    /// Notes a near triangle as seen.
+    /// Notes a triangle as seen.
     pub fn insert(&self, instance: u32, face: u32) {
         self.seen.insert(self.scene.triangle_offset(instance) + i64::from(face));
     }
 
-    /// Returns whether a near triangle was noted as seen.
+    /// Returns whether a triangle was noted as seen.
     pub fn is_noted(&self, instance: u32, face: u32) -> bool {
         self.seen.contains(self.scene.triangle_offset(instance) + i64::from(face))
     }
