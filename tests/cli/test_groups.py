@@ -107,6 +107,7 @@ def test_commands_have_few_parameters() -> None:
         ("http://a/?width=2: other=3, width is 4", "http://a/?width=2: other=3, width is 4"),
         ("a width=2/b.glb: damaged", "a width=2/b.glb: damaged"),
         ("got width=(1, 2) of f(width=1) with loud=False", "got width=(1, 2) of f(width=1) with loud=False"),
+        ("width=1.5 with depth=nf.Depth('x'): no", "--width 1.5 with depth=nf.Depth('x'): no"),
     ],
 )
 def test_errors_name_options_not_parameters(message: str, shown: str) -> None:

@@ -13,7 +13,7 @@ import trimesh
 import nearfar as nf
 from tests.support import printed_by_threads
 from tests.support.card_cases import Card
-from tests.support.impostor_cases import CENTER, SETTINGS, view
+from tests.support.impostor_cases import CENTER, SETTINGS, bake, view
 from tests.support.reduce_cases import box
 
 SMALL: dict[str, Any] = {**SETTINGS, "face_size": 128, "centers": 7}
@@ -89,6 +89,18 @@ def test_few_large_far_triangles_that_users_see_stay_geometry() -> None:
     aside = nf.reduce(scene, **{**options, "center": (0.0, 1.7, -46.0), "r2": 5.0})
     assert aside.far is not None
     assert nf.reduce(scene, **options, visible=False).far is not None
+
+
+def test_chains_of_bakes_use_quads_again_once(scene: nf.Scene) -> None:
+    options: dict[str, Any] = {**SMALL, "face_size": 64, "centers": 3}
+    first = bake(scene, **options)
+    chain = [first]
+    for step in range(4):
+        place = np.add(CENTER, (0.5 * (step + 1), 0.0, 0.0))
+        chain.append(bake(scene, **{**options, "center": place}, earlier=chain[-1]))
+    assert chain[1].stats["shared_quads"] > 0
+    assert max(baked.far.triangle_count for baked in chain if baked.far) < 2 * first.stats["triangles"]
+    assert max(len(baked.layers) for baked in chain) <= 2 * options["centers"]
 
 
 def test_poses_reach_the_published_picture_the_next_centre_and_the_folder(scene: nf.Scene, tmp_path: Path) -> None:

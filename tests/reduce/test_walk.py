@@ -222,6 +222,12 @@ def test_impostors_of_neighbouring_regions_show_the_same_picture_within_their_er
     assert 0 < shared.stats["shared_quads"] < shared.stats["quads"]
     for name in ("vertices", "faces", "atlas"):
         np.testing.assert_array_equal(getattr(shared._quads, name), getattr(alone.reduced(1)._quads, name))
+    assert (alone.bytes[[0, 1]] > 0).all()
+    limited = nf.ImpostorSettings(face_size=128, centers=7, triangles=shared.triangle_count)
+    cut: Any = nf.regions(
+        scene, [start, end], far="impostors", reach=2.0, hysteresis=0.2, r2=12.0, settings=limited
+    ).reduced(1)
+    assert cut.stats["shared_quads"] == cut.stats["dropped_quads"] == 0
     # Both regions are within two pixels of 1/20 degree of the truth.
     assert isinstance(camera.fov, nf.Fov)
     focal = camera.width / (camera.fov.right - camera.fov.left)

@@ -262,7 +262,8 @@ class Reduced:
     def near_bytes(self) -> int: ...
 
 # impostor -----------------------------------------------------------------------------------------------------------
-class ImpostorSheets: ...
+class ImpostorSheets:
+    def bytes(self) -> int: ...
 
 def bake_impostors(
     scene: Scene, settings: _Arguments, *, earlier: ImpostorSheets | None = None, report: _Report = None

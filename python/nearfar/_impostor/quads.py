@@ -105,7 +105,7 @@ class Quads:
         return self.select(is_kept)
 
     def select(self, is_kept: NDArray[np.bool_]) -> Self:
-        """Return the quads with a mask (Q,); the texels of the others are cleared."""
+        """Return the quads that a mask (Q,) keeps; the texels of the others are cleared."""
         chosen = is_kept[self.owners]
         rows, corners = np.unique(self.faces[chosen], return_inverse=True)
         numbers = np.cumsum(is_kept) - 1

@@ -62,7 +62,7 @@ class Impostors(Renderable):
     stats: Mapping[str, Any]
     """Counts and measures.
 
-    Far part: `triangles`, `quads`, of which `shared_quads` are those of a neighbouring region, the `texels` that they
+    Far part: `triangles`, `quads`, of which `shared_quads` are those of an earlier bake, the `texels` that they
     show, `layers`, and width and height of the `atlas` in texels. `near_triangles`, and `scene_triangles` of the
     original scene. `error_px` as chosen; `missing`, the share of the pixels of the region's probes that are missing,
     before quads were dropped for a budget; `dropped_quads` and `dropped_texels`, which they showed; `changed`, the
@@ -91,7 +91,8 @@ class Impostors(Renderable):
     @property
     def nbytes(self) -> int:
         """Bytes in memory of the quads, with their texture, and of near geometry; 0 for quads that `load` read."""
-        return self.near._core.bytes() + (0 if self._quads is None else self._quads.nbytes)
+        sheets = 0 if self._sheets is None else self._sheets.bytes()
+        return self.near._core.bytes() + sheets + (0 if self._quads is None else self._quads.nbytes)
 
     @cached_property
     def published(self) -> ReducedScene:
@@ -140,10 +141,10 @@ class Impostors(Renderable):
     def recentered(self, center: ArrayLike) -> Recentering[Impostors]:
         """Start baking the same scene about another centre, a world position (3,) in metres, in the background.
 
-        Settings, r2 and poses stay. Quads that keep the error bound about the new centre are used again, so the result
-        may differ from that of `reduce` within the bound. In the result, `ready` says whether it is finished;
-        `result()` waits for the new `Impostors`. ValueError and TypeError for an invalid centre, or for impostors that
-        `load` read.
+        Settings, r2 and poses stay. New quads of this bake that keep the error bound about the new centre are used
+        again (not after pickling, nor with a budget), so the result may differ from that of `reduce` within the bound.
+        In the result, `ready` says whether it is finished; `result()` waits for the new `Impostors`. ValueError and
+        TypeError for an invalid centre, or for impostors that `load` read.
         """
         middle = check.vector("center", center)
         stages.check_place(middle)

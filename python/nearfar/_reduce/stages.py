@@ -93,7 +93,7 @@ def impostor_parts(
     `r2` is checked. A scene stays as it is if impostors would have as many triangles, unless bytes are limited, and far
     triangles that users see stay if quads would have as many and take as many bytes; without `may_keep` it gets
     impostors all the same. Quads of an `earlier` bake of the scene are used again where they keep the
-    bound. ValueError for a centre out of range, and a reach that is not less than r2.
+    bound, unless there is a budget. ValueError for a centre out of range, and a reach that is not less than r2.
     """
     reach = min(default_radii.REACH, 0.5 * r2) if settings.reach is None else settings.reach
     check_place(center)
@@ -105,7 +105,9 @@ def impostor_parts(
     if fitting := _explain_fit(scene, region, settings):
         return facts | _whole(scene, counts, fitting)
     zones = partition(scene, center=center, r1=0.0, r2=r2)
-    budget = Budget(zones, region, settings, earlier)
+    # Quads of an earlier bake get no coarser for a budget, and those that a budget dropped would come back.
+    has_budget = settings.triangles is not None or settings.bytes is not None
+    budget = Budget(zones, region, settings, None if has_budget else earlier)
     baked = budget.bake()
     quads, used = baked.quads, baked.settings
     is_small = may_keep and settings.bytes is None
@@ -149,7 +151,7 @@ def impostor_parts(
         "layers": tuple((tuple(np.add(center, offset).tolist()), count) for offset, count in layers),
         "notes": notes,
         "_quads": quads,
-        "_sheets": baked.sheets,
+        "_sheets": None if has_budget else baked.sheets,
     }
 
 

@@ -128,8 +128,10 @@ def _with_flags(message: str, flags: dict[str, str]) -> str:
         return flags[found["name"]] + ("" if value in ("", "True") else f" {value}") + found["end"]
 
     message = re.sub(r"^(?P<name>\w+)(?P<value>)(?P<end>(\[\d+\])?: )", replace, message)
-    start, colon, rest = message.partition(": ") if ": " in message else ("", "", message)
-    value = r"(?P<value>'[^']*'|\"[^\"]*\"|[\w.+-]*\w|)(?P<end>)(?![\w(\[])"
+    start, colon, rest = message.partition(": ")
+    if "/" not in start or not colon:
+        start, colon, rest = "", "", message
+    value = r"(?P<value>(?>'[^']*'|\"[^\"]*\"|[\w.+-]*\w|))(?P<end>)(?![\w(\[])"
     assigned = rf"(?<![^\s(])(?<!\w\()(?P<name>[a-z]\w*)={value}"
     return start + colon + re.sub(assigned, replace, rest)
 

@@ -27,6 +27,14 @@ pub struct BakeArguments {
 #[pyclass(frozen, module = "nearfar._core")]
 pub struct ImpostorSheets(Vec<Sheet>);
 
+#[pymethods]
+impl ImpostorSheets {
+    /// Bytes of the quads.
+    fn bytes(&self) -> usize {
+        self.0.iter().map(Sheet::bytes).sum()
+    }
+}
+
 /// Textured quads of the far part: vertices (V, 3) relative to the centre, texture coordinates (V, 2), faces (F, 3),
 /// the quad of each face (F,), object number (−1 without one) and mask of each quad (Q,), and the atlas (H, W, 4), by name; with the layers' centres
 /// and numbers of quads, the number of quads `shared` with the bake of `earlier`, which are the first, the shares of

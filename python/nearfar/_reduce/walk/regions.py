@@ -233,16 +233,24 @@ class Regions:
         return reduce(self._scene, center=center, r1=r1, r2=r2, morph=self._morph, settings=self._baking)
 
     def _lender(self, number: int) -> Impostors | None:
-        """Impostors whose quads a region can use: those of the region before it, for every second one.
+        """Impostors whose quads a region can use: those of the region before it, for every second one without a budget.
 
-        So what a region shows does not depend on the way by which users reach it.
+        The result does not depend on the route that users take.
         """
-        if number % 2 == 0 or math.dist(self._centers[number], self._centers[number - 1]) > 2.0 * self.reach:
+        baking, lender = self._baking, number - 1
+        assert isinstance(baking, ImpostorSettings)
+        if number % 2 == 0 or baking.triangles is not None or baking.bytes is not None:
             return None
-        lender = self._cache.get(number - 1)
-        if lender is None:
-            lender = self._make(number - 1)
-        return lender if isinstance(lender, Impostors) else None
+        if math.dist(self._centers[number], self._centers[lender]) > 2.0 * self.reach:
+            return None
+        reduced = self._cache.get(lender)
+        if reduced is None:
+            if self._prefetched is not None and self._prefetched[0] == lender:
+                reduced = self._prefetched[1].result()
+            else:
+                reduced = self._make(lender)
+            self._store(lender, reduced)
+        return reduced if isinstance(reduced, Impostors) else None
 
     def _collect(self, next_region: int | None) -> None:
         """Store a region made in the background.

@@ -31,6 +31,13 @@ impl Patch {
         Self { point: center + point, normal, area: area(point, direction.length(), normal, size) }
     }
 
+    /// Returns whether the texel is not much coarser than that of a map of `size` texels with another centre.
+    pub fn is_as_fine_as_from(&self, center: DVec3, size: usize) -> bool {
+        let to_point = self.point - center;
+        let outward = to_point.abs().max_element();
+        self.area <= MAX_AREA_RATIO * area(to_point, to_point.length() / outward, self.normal, size)
+    }
+
     /// Returns a point whose texel's area counts as none, so that any layer near it shows it well enough.
     pub fn of_point(point: DVec3) -> Self {
         Self { point, normal: DVec3::ZERO, area: f64::INFINITY }

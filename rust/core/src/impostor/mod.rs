@@ -71,7 +71,7 @@ pub struct Impostors {
     pub layers: Vec<([f64; 3], usize)>,
     /// Number of quads of the earlier bake.
     pub shared: usize,
-    /// Quads of each layer, which the bake of another region can use again.
+    /// New quads of each layer, which the bake of another region can use again.
     pub sheets: Vec<Sheet>,
     /// Share of the probes' pixels missing before each layer was chosen, and at the end.
     pub missing: Vec<f64>,
@@ -117,25 +117,25 @@ pub fn bake(scene: &Scene, settings: &Settings, earlier: &[Sheet], progress: &Pr
     }
     let width = (size / PROBE_SIZE).max(32);
     let probes = places.iter().map(|&at| Probe::trace(&world, at, width, progress)).collect::<Result<Vec<_>>>()?;
-    let shared = earlier.iter().map(|sheet| sheet.shared_with(&world, &probes, progress));
+    let shared = earlier.iter().map(|sheet| sheet.shared_with(&world, &probes, size as usize, progress));
     let mut sheets = shared.collect::<Result<Vec<_>>>()?;
     sheets.retain(|sheet| !sheet.quads.is_empty());
     let shared = sheets.len();
     let mut baked = Baked { layers: sheets.iter().map(|sheet| sheet.layer(&world)).collect(), sheets };
     baked.add(&world, places[0], size as usize, &probes, progress)?;
-    // Layers of an earlier bake stand for those of the circle. These would show more than the probes ask for, so the
-    // limit is lower without them.
+    // Shared layers replace the circle's. The circle's layers would show more than the probes ask for, so fewer pixels
+    // may be missing without them.
     let (round, allowed) = if shared > 0 { (0, 0.5 * settings.missing) } else { (ROUND, settings.missing) };
     let round = round.min(settings.centers.saturating_sub(1) as usize);
     for n in 0..round {
         baked.add(&world, around(reach, n, ROUND, 0.0), size as usize, &probes, progress)?;
     }
-    let mut shares = Vec::new();
+    let mut missing_shares = Vec::new();
     let total: usize = probes.iter().map(Probe::texels).sum();
     loop {
         let missing = probes.iter().map(|probe| probe.missing(&baked.layers, progress)).collect::<Result<Vec<_>>>()?;
         let share = missing.iter().sum::<usize>() as f64 / total as f64;
-        shares.push(share);
+        missing_shares.push(share);
         let own = &baked.layers[shared..];
         if share <= allowed || own.len() >= settings.centers as usize {
             break;
@@ -148,11 +148,13 @@ pub fn bake(scene: &Scene, settings: &Settings, earlier: &[Sheet], progress: &Pr
         baked.add(&world, probes[worst].position, size as usize, &probes, progress)?;
     }
     small::note_small(&world, &probes, progress)?;
-    let (sheets, missing) = (baked.sheets, shares);
+    let mut sheets = baked.sheets;
     let layers: Vec<_> = sheets.iter().map(|sheet| ((sheet.center - eye).to_array(), sheet.quads.len())).collect();
-    let shared = layers[..shared].iter().map(|(_, count)| count).sum();
+    let shared_quads = layers[..shared].iter().map(|(_, count)| count).sum();
     let (mesh, seen) = (atlas::build(&sheets, eye)?, world.seen.numbers().collect());
-    Ok(Impostors { mesh, layers, shared, sheets, missing, seen })
+    // A quad is used again once: chains of bakes would keep ever more of them, each only just exact enough.
+    sheets.drain(..shared);
+    Ok(Impostors { mesh, layers, shared: shared_quads, sheets, missing: missing_shares, seen })
 }
 
 struct Baked {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::layer::Layer;
+use super::layer::{Layer, Patch};
 use super::paint::Quad;
 use super::plane::Bound;
 use super::probe::Probe;
@@ -26,19 +26,25 @@ pub struct Sheet {
 }
 
 impl Sheet {
+    /// Returns the bytes of the quads.
+    pub fn bytes(&self) -> usize {
+        let bytes = |quad: &Arc<Quad>| size_of::<Quad>() + size_of_val(&quad.own[..]) + size_of_val(&quad.texels[..]);
+        self.quads.iter().map(bytes).sum()
+    }
+
     /// Returns the layer that the quads show.
     pub fn layer(&self, world: &World<'_>) -> Layer {
         Layer::new(world, self.center, self.size, &self.quads)
     }
 
     /// Returns the sheet with those quads that a world's region can use: each of their texels keeps that region's error
-    /// bound, and a probe sees one of them.
-    pub fn shared_with(&self, world: &World<'_>, probes: &[Probe], progress: &Progress) -> Result<Self> {
+    /// bound and is about as fine as a texel of the region's own maps of `size` texels, and a probe sees one of them.
+    pub fn shared_with(&self, world: &World<'_>, probes: &[Probe], size: usize, progress: &Progress) -> Result<Self> {
         let bound = world.bound(self.center);
         let tiles: Vec<_> = self.quads.chunk_by(|a, b| a.place == b.place).collect();
         let usable = |quads: &&[Arc<Quad>]| {
             let mut tile = Tile::blank(quads[0].place, self.size);
-            let is_usable = |quad: &&Arc<Quad>| self.is_usable(quad, world, &bound, &mut tile, probes);
+            let is_usable = |quad: &&Arc<Quad>| self.is_usable(quad, world, &bound, &mut tile, probes, size);
             let usable: Vec<Arc<Quad>> = quads.iter().filter(is_usable).cloned().collect();
             progress.check().map(|()| usable)
         };
@@ -46,7 +52,8 @@ impl Sheet {
         Ok(Self { quads: quads.concat(), ..*self })
     }
 
-    /// Traces the texels of a quad from the layer's centre, and compares their distances with those on the quad's plane.
+    /// Returns whether a quad's texels, traced from the layer's centre, keep the bound and are fine enough, and a probe
+    /// sees one of them.
     fn is_usable(
         &self,
         quad: &Quad,
@@ -54,6 +61,7 @@ impl Sheet {
         bound: &Bound,
         tile: &mut Tile,
         probes: &[Probe],
+        size: usize,
     ) -> bool {
         let places: Vec<_> = quad.own.iter().map(|&texel| column_and_row(texel)).collect();
         let ray = |&(column, row): &(usize, usize)| tile.ray(self.center, column as f64 + 0.5, row as f64 + 0.5);
@@ -72,6 +80,10 @@ impl Sheet {
                 return false;
             }
             let point = ray.origin.as_dvec3() + ray.direction.as_dvec3() * f64::from(hit.t);
+            let patch = Patch::new(self.center, quad.place.face, (u, v), texel, self.size);
+            if !patch.is_as_fine_as_from(world.eye, size) {
+                return false;
+            }
             is_seen = is_seen || probes.iter().any(|probe| probe.sees(point));
         }
         is_seen
