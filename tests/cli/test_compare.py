@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import re
 from dataclasses import replace
 from html.parser import HTMLParser
@@ -63,7 +64,9 @@ def test_measures_equal_the_library_functions(city: Path, compared: tuple[Path, 
     reduced = nf.reduce(scene, center=(0, 1.7, 0), **radii, face_size=64, channels=("color", "range"))
     impostors = nf.reduce(scene, center=(0, 1.7, 0), r2=50.0, far="impostors", face_size=64)
     values = document["pictures"]["impostors"]
-    assert values["psnr"] == pytest.approx(nf.psnr(truth, impostors.render(view, channels=("color",))), abs=1e-4)
+    # The few far triangles of this scene stay geometry, so the picture equals the truth: a document has no infinity.
+    assert nf.psnr(truth, impostors.render(view, channels=("color",))) == math.inf
+    assert values["psnr"] is None
     assert (values["tear"], values["discontinuity"], values["boundary"]) == (None, None, None)
     assert document["triangles_of_impostors"] == impostors.triangle_count
     for name, light in (("conventional", reduced.with_morph("none")), ("continuous", reduced)):
@@ -113,7 +116,7 @@ def test_reports_show_every_picture_and_measure(compared: tuple[Path, dict[str, 
     assert "http" not in page
     for values in document["pictures"].values():
         for report in (text, page):
-            assert f"{values['psnr']:.4g}" in report
+            assert ("equal pictures" if values["psnr"] is None else f"{values['psnr']:.4g}") in report
             torn = values["discontinuity"]
             assert ("not measurable" if torn is None else f"{torn:.4g}") in report
         for measure, reason in values["unmeasured"].items():

@@ -262,6 +262,7 @@ class Reduced:
     def near_bytes(self) -> int: ...
 
 # impostor -----------------------------------------------------------------------------------------------------------
+@final
 class ImpostorSheets:
     def bytes(self) -> int: ...
 
