@@ -53,6 +53,7 @@ class Budget:
         geometry = bake.as_geometry(self._zones, self._region, baked)
         if geometry is None or self._file_size(geometry) > self._file_size(baked):
             return None
+        self.dropped = (0, 0)
         return geometry
 
     def _bake(self, settings: ImpostorSettings) -> Baked:

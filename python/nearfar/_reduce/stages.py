@@ -119,7 +119,7 @@ def impostor_parts(
     if geometry is not None:
         facts_of_far = f"the {len(baked.far):,} far triangles that users see stay geometry"
         notes = {"far": f"{facts_of_far}; textured quads would have {baked.far_count:,}"}
-        baked, quads, budget.dropped = geometry, None, (0, 0)
+        baked, quads = geometry, None
     elif quads is None:
         is_cut = budget.dropped[0] > 0
         notes = {"far": "the budget leaves none" if is_cut else f"no static triangle beyond {r2:g} m is seen"}
