@@ -239,7 +239,7 @@ def fill(
                 break
         else:
             outside = (np.log(value), np.log(spent))
-            best = result if best is None else best
+            best = best if inside else result
         target = np.log(0.99 * budget)
         if inside and outside:
             share = (target - inside[1]) / (outside[1] - inside[1])
@@ -247,7 +247,9 @@ def fill(
         else:
             known = inside or outside
             assert known is not None
-            value = float(np.clip(np.exp(known[0] + (target - known[1]) / 1.5), low, high))
+            # A cost may grow more slowly than its parameter: then a step down of less than its share stays outside.
+            power = 1.5 if inside else 1.0
+            value = float(np.clip(np.exp(known[0] + (target - known[1]) / power), low, high))
             if value == np.exp(known[0]):
                 break
     return best
