@@ -247,7 +247,8 @@ def fill(
         else:
             known = inside or outside
             assert known is not None
-            # A cost may grow more slowly than its parameter: then a step down of less than its share stays outside.
+            # Costs grow with the parameter (triangles) up to its square (edges of maps). Upwards a step between the two;
+            # downwards the longer one, which gets inside the budget with fewer tries.
             power = 1.5 if inside else 1.0
             value = float(np.clip(np.exp(known[0] + (target - known[1]) / power), low, high))
             if value == np.exp(known[0]):
