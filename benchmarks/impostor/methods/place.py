@@ -247,7 +247,7 @@ def fill(
         else:
             known = inside or outside
             assert known is not None
-            # Costs grow with the parameter (triangles) up to its square (edges of maps). Upwards a step between the two;
+            # Costs grow with the parameter (triangles) or with its square (edges of maps). Upwards a step between both;
             # downwards the longer one, which gets inside the budget with fewer tries.
             power = 1.5 if inside else 1.0
             value = float(np.clip(np.exp(known[0] + (target - known[1]) / power), low, high))
